@@ -1,0 +1,3 @@
+//! The medax program.
+
+fn main() {}

@@ -1,0 +1,4 @@
+//! crust
+
+/// To come.
+pub struct PowerCrust;

@@ -1,0 +1,4 @@
+//! dual
+
+/// To come.
+pub struct Dual;

@@ -1,0 +1,38 @@
+//! medax turns samples of a surface into the structures that tell a solid's shape.
+//!
+//! Data flows one way:
+//!
+//! ```text
+//! files -> io -> Points -> Triangulation -> Dual -> Poles -> PowerCrust -> Complex -> io -> files
+//! ```
+//!
+//! Every structure is immutable once built, and every build takes a [`Job`] that says how to
+//! run it: threads, memory ceiling, progress, cancel. The answer is a function of the *set* of
+//! input points: predicates are exact, ties are broken by a symbolic perturbation, vertices are
+//! numbered by spatial rank, and input rows appear only in maps.
+//!
+//! The C ABI in [`capi`] translates and does nothing else; see `include/medax.h`.
+
+pub mod capi;
+pub mod complex;
+pub mod crust;
+pub mod dual;
+mod error;
+mod index;
+pub mod io;
+mod job;
+pub mod points;
+pub mod poles;
+pub mod predicates;
+pub mod sample;
+pub mod triangulation;
+
+pub use complex::Complex;
+pub use crust::PowerCrust;
+pub use dual::Dual;
+pub use error::{ElementKind, Error, Result, Status};
+pub use index::NONE;
+pub use job::{Charge, Job, JobOptions, Progress, Run, Stage, StageTime};
+pub use points::Points;
+pub use poles::Poles;
+pub use triangulation::Triangulation;

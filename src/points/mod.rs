@@ -1,0 +1,181 @@
+//! Samples: checked, merged where they coincide, and put into spatial order.
+
+mod bounds;
+mod order;
+
+pub use bounds::Bounds;
+
+use crate::error::{ElementKind, Error, Result, Status};
+use crate::index::NONE;
+use crate::job::{Charge, Job, Run, Stage};
+
+/// The largest absolute coordinate: 2^200.
+///
+/// With [`COORDINATE_MIN`] it keeps the exact predicates, products of five coordinate
+/// differences at most, within the range of an f64 (Shewchuk 1997, section 5, for insphere).
+pub const COORDINATE_MAX: f64 = f64::from_bits((1023 + 200) << 52);
+/// The smallest absolute coordinate other than zero: 2^-160.
+pub const COORDINATE_MIN: f64 = f64::from_bits((1023 - 160) << 52);
+/// The most points: 2^28, so that the cells stay below 2^30 on surfaces and in volumes alike.
+pub const POINT_LIMIT: usize = 1 << 28;
+
+/// What to do with rows that are not numbers, and the like.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PointsOptions {
+    /// Leave out rows with a NaN or an infinity instead of failing. They map to [`NONE`].
+    pub skip_non_finite: bool,
+}
+
+/// A set of distinct points in spatial order, with the map from the input's rows.
+///
+/// Vertices are numbered along a Hilbert curve through the bounding box (see `points/order.rs`), ties
+/// by the lexicographic order of the coordinates: the numbering depends on the set alone.
+///
+/// Invariants: no two vertices are equal; every coordinate is finite and 0 or within
+/// [`COORDINATE_MIN`, `COORDINATE_MAX`] in absolute value, and never -0; `row_of_vertex[v]` is the
+/// first row equal to vertex `v`; `vertex_of_row[r]` is [`NONE`] exactly for rows left out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Points {
+    coords: Vec<[f64; 3]>,
+    vertex_of_row: Vec<u32>,
+    row_of_vertex: Vec<u32>,
+    bounds: Bounds,
+}
+
+impl Points {
+    /// Checks, merges and orders the given rows.
+    ///
+    /// Errors: [`Status::NonFinite`] and [`Status::CoordinateRange`] with the row,
+    /// [`Status::TooFewPoints`] when no row is left, [`Status::LimitExceeded`] past
+    /// [`POINT_LIMIT`]. Cost: O(n log n).
+    pub fn new(
+        rows: impl ExactSizeIterator<Item = [f64; 3]>,
+        options: PointsOptions,
+        job: &Job,
+    ) -> Result<Self> {
+        job.run(&[(Stage::Order, 1.0)], |run| Points::new_in(rows, options, run))
+    }
+
+    /// [`Points::new`] as a stage of a larger build.
+    pub(crate) fn new_in(
+        rows: impl ExactSizeIterator<Item = [f64; 3]>,
+        options: PointsOptions,
+        run: &Run<'_>,
+    ) -> Result<Self> {
+        run.enter(Stage::Order)?;
+        let total = rows.len();
+        if total > POINT_LIMIT {
+            return Err(Error::new(
+                Status::LimitExceeded,
+                format!("{total} points are more than the limit of {POINT_LIMIT}"),
+            ));
+        }
+        let _charge: Charge = run.charge(total as u64 * 64)?;
+        let mut kept: Vec<([f64; 3], u32)> = run.try_vec(total)?;
+        for (row, xyz) in rows.enumerate() {
+            if row % 65536 == 0 {
+                run.tick(row / 4, total)?;
+            }
+            match check(xyz) {
+                Ok(xyz) => kept.push((xyz, row as u32)),
+                Err(error) if error.status() == Status::NonFinite && options.skip_non_finite => {}
+                Err(error) => return Err(error.at(ElementKind::Row, row as u64)),
+            }
+        }
+        let Some(bounds) = Bounds::of(kept.iter().map(|(xyz, _)| *xyz)) else {
+            return Err(Error::new(Status::TooFewPoints, "there is no point"));
+        };
+        order::sort(&mut kept, &bounds, run)?;
+        let mut points = Points {
+            coords: run.try_vec(kept.len())?,
+            vertex_of_row: vec![NONE; total],
+            row_of_vertex: run.try_vec(kept.len())?,
+            bounds,
+        };
+        for (xyz, row) in kept {
+            if points.coords.last() != Some(&xyz) {
+                points.coords.push(xyz);
+                points.row_of_vertex.push(row);
+            }
+            points.vertex_of_row[row as usize] = points.coords.len() as u32 - 1;
+        }
+        Ok(points)
+    }
+
+    /// The distinct points in spatial order, in input units.
+    pub fn coords(&self) -> &[[f64; 3]] {
+        &self.coords
+    }
+
+    /// The number of distinct points.
+    pub fn len(&self) -> usize {
+        self.coords.len()
+    }
+
+    /// Whether there is no point; never so for a set that [`Points::new`] made.
+    pub fn is_empty(&self) -> bool {
+        self.coords.is_empty()
+    }
+
+    /// The number of input rows.
+    pub fn row_count(&self) -> usize {
+        self.vertex_of_row.len()
+    }
+
+    /// The vertex of each input row; [`NONE`] for a row left out.
+    pub fn vertex_of_row(&self) -> &[u32] {
+        &self.vertex_of_row
+    }
+
+    /// The first input row of each vertex.
+    pub fn row_of_vertex(&self) -> &[u32] {
+        &self.row_of_vertex
+    }
+
+    /// For each input row the first row with the same coordinates, or [`NONE`] where the row is
+    /// itself the first, or was left out.
+    pub fn duplicate_of(&self) -> Vec<u32> {
+        let first = |(row, &vertex): (usize, &u32)| match vertex {
+            NONE => NONE,
+            vertex => match self.row_of_vertex[vertex as usize] {
+                first if first as usize == row => NONE,
+                first => first,
+            },
+        };
+        self.vertex_of_row.iter().enumerate().map(first).collect()
+    }
+
+    /// The number of rows that repeat an earlier one.
+    pub fn duplicate_count(&self) -> usize {
+        self.row_count() - self.skipped_count() - self.len()
+    }
+
+    /// The number of rows left out.
+    pub fn skipped_count(&self) -> usize {
+        self.vertex_of_row.iter().filter(|&&vertex| vertex == NONE).count()
+    }
+
+    /// The smallest box that holds every point.
+    pub fn bounds(&self) -> &Bounds {
+        &self.bounds
+    }
+}
+
+/// The row with -0 made 0, if every coordinate is finite and in range.
+fn check(xyz: [f64; 3]) -> Result<[f64; 3]> {
+    if !xyz.iter().all(|x| x.is_finite()) {
+        return Err(Error::new(
+            Status::NonFinite,
+            "a coordinate is NaN or infinite; remove the row, or ask to skip such rows",
+        ));
+    }
+    let in_range = |x: f64| x == 0.0 || (COORDINATE_MIN..=COORDINATE_MAX).contains(&x.abs());
+    if !xyz.iter().all(|&x| in_range(x)) {
+        return Err(Error::new(
+            Status::CoordinateRange,
+            "a coordinate other than 0 lies outside [2^-160, 2^200]; rescale the points",
+        ));
+    }
+    // -0 + 0 is 0: equal points must be equal in every bit.
+    Ok(xyz.map(|x| x + 0.0))
+}

@@ -1,0 +1,133 @@
+//! Spatial order: the rank of a point along a Hilbert curve through the bounding box.
+
+use super::Bounds;
+use crate::error::Result;
+use crate::job::Run;
+
+/// Bits per axis of the Hilbert grid; three times as many fit into a u64.
+const BITS: u32 = 21;
+
+/// Sorts the points by Hilbert rank, ties by coordinates, then by row.
+///
+/// Only the coordinates' bits and the box decide, so that the order depends on the set alone;
+/// equal points come to stand together, the first row first. Cost: O(n log n).
+pub(super) fn sort(
+    points: &mut Vec<([f64; 3], u32)>,
+    bounds: &Bounds,
+    run: &Run<'_>,
+) -> Result<()> {
+    let grid = Grid::new(bounds);
+    let mut keyed: Vec<(u64, u32)> = run.try_vec(points.len())?;
+    for (i, (xyz, _)) in points.iter().enumerate() {
+        if i % 65536 == 0 {
+            run.tick(points.len() / 4 + i / 4, points.len())?;
+        }
+        keyed.push((grid.rank(*xyz), i as u32));
+    }
+    keyed.sort_unstable_by(|a, b| {
+        a.0.cmp(&b.0).then_with(|| {
+            let (p, q) = (&points[a.1 as usize], &points[b.1 as usize]);
+            lexicographic(&p.0, &q.0).then(p.1.cmp(&q.1))
+        })
+    });
+    run.tick(3, 4)?;
+    let mut sorted = run.try_vec(points.len())?;
+    sorted.extend(keyed.iter().map(|&(_, i)| points[i as usize]));
+    *points = sorted;
+    Ok(())
+}
+
+/// The lexicographic order of coordinates, which must not be NaN.
+fn lexicographic(a: &[f64; 3], b: &[f64; 3]) -> std::cmp::Ordering {
+    a.iter().zip(b).map(|(x, y)| x.total_cmp(y)).fold(std::cmp::Ordering::Equal, |o, n| o.then(n))
+}
+
+/// The cubic grid of 2^[`BITS`] cells a side over a bounding box.
+struct Grid {
+    min: [f64; 3],
+    scale: f64,
+}
+
+impl Grid {
+    fn new(bounds: &Bounds) -> Self {
+        let side = bounds.extent().into_iter().fold(0.0, f64::max);
+        let cells = f64::from(1u32 << BITS);
+        // A single point has no side: every rank is 0 then. The scale stays finite.
+        let scale = if side > 0.0 { (cells / side).min(f64::MAX) } else { 0.0 };
+        Grid { min: bounds.min, scale }
+    }
+
+    fn rank(&self, p: [f64; 3]) -> u64 {
+        let most = f64::from((1u32 << BITS) - 1);
+        let cell = |i: usize| ((p[i] - self.min[i]) * self.scale).min(most) as u32;
+        hilbert([cell(0), cell(1), cell(2)])
+    }
+}
+
+/// The position of a grid cell along the Hilbert curve (Skilling 2004, *Programming the Hilbert
+/// curve*): the axes are transposed in place, then interleaved.
+fn hilbert(mut axes: [u32; 3]) -> u64 {
+    let top = 1u32 << (BITS - 1);
+    let mut bit = top;
+    while bit > 1 {
+        let below = bit - 1;
+        for i in 0..3 {
+            if axes[i] & bit != 0 {
+                axes[0] ^= below;
+            } else {
+                let swap = (axes[0] ^ axes[i]) & below;
+                axes[0] ^= swap;
+                axes[i] ^= swap;
+            }
+        }
+        bit >>= 1;
+    }
+    axes[1] ^= axes[0];
+    axes[2] ^= axes[1];
+    let mut flip = 0;
+    bit = top;
+    while bit > 1 {
+        if axes[2] & bit != 0 {
+            flip ^= bit - 1;
+        }
+        bit >>= 1;
+    }
+    let spread = |x: u32| {
+        let mut x = u64::from(x ^ flip);
+        for (shift, mask) in [
+            (32, 0x001f_0000_0000_ffff),
+            (16, 0x001f_0000_ff00_00ff),
+            (8, 0x100f_00f0_0f00_f00f),
+            (4, 0x10c3_0c30_c30c_30c3),
+            (2, 0x1249_2492_4924_9249),
+        ] {
+            x = (x | (x << shift)) & mask;
+        }
+        x
+    };
+    spread(axes[0]) << 2 | spread(axes[1]) << 1 | spread(axes[2])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn neighbours_on_the_curve_are_neighbours_in_space() {
+        // The first 4^3 steps of the curve fill a cube of side 4, one cell after the other.
+        let mut cells: Vec<([u32; 3], u64)> = Vec::new();
+        for x in 0..4 {
+            for y in 0..4 {
+                for z in 0..4 {
+                    cells.push(([x, y, z], hilbert([x, y, z])));
+                }
+            }
+        }
+        cells.sort_by_key(|c| c.1);
+        assert_eq!(cells.iter().map(|c| c.1).collect::<Vec<_>>(), (0..64).collect::<Vec<_>>());
+        for pair in cells.windows(2) {
+            let step: u32 = (0..3).map(|i| pair[0].0[i].abs_diff(pair[1].0[i])).sum();
+            assert_eq!(step, 1, "{pair:?}");
+        }
+    }
+}

@@ -1,0 +1,4 @@
+//! poles
+
+/// To come.
+pub struct Poles;
