@@ -26,6 +26,7 @@ pub mod poles;
 pub mod predicates;
 pub mod sample;
 pub mod triangulation;
+mod validation;
 
 pub use complex::Complex;
 pub use crust::PowerCrust;
@@ -36,3 +37,4 @@ pub use job::{Charge, Job, JobOptions, Progress, Run, Stage, StageTime};
 pub use points::Points;
 pub use poles::Poles;
 pub use triangulation::Triangulation;
+pub use validation::Validation;

@@ -45,7 +45,7 @@ impl Attribute {
         values: Values,
     ) -> Result<Self> {
         let attribute = Attribute { name: name.into(), element, width, values };
-        if width == 0 || attribute.value_count() % width != 0 {
+        if width == 0 || !attribute.value_count().is_multiple_of(width) {
             return Err(Error::new(
                 Status::Mismatch,
                 format!("attribute '{}' does not fill its rows", attribute.name),
