@@ -1,0 +1,133 @@
+//! Integers of a fixed width, on the stack: the last stage of every predicate.
+//!
+//! A finite set of floats lies on a common grid of step 2^unit, so every determinant of them is
+//! an integer times a power of two. [`Int`] calculates modulo 2^(64 N) in two's complement: the
+//! result is right whenever the *final* value fits, whatever happened on the way. No rounding,
+//! no overflow of exponents, nothing on the heap.
+
+use super::sign::Sign;
+use std::ops::{Add, Mul, Sub};
+
+/// An integer modulo 2^(64 N), read as two's complement; least significant limb first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Int<const N: usize>([u64; N]);
+
+impl<const N: usize> Int<N> {
+    /// `x` divided by 2^unit, for an `x` that is a multiple of it.
+    pub(super) fn of(x: f64, unit: i32) -> Self {
+        let mut limbs = [0; N];
+        if x != 0.0 {
+            let (mantissa, exponent) = decode(x);
+            let shift = exponent - unit;
+            // A negative shift drops zeros only, since `x` is a multiple of the unit.
+            let (mantissa, shift) =
+                if shift < 0 { (mantissa >> -shift, 0) } else { (mantissa, shift as usize) };
+            let (limb, bit) = (shift / 64, shift % 64);
+            let wide = u128::from(mantissa) << bit;
+            if limb < N {
+                limbs[limb] = wide as u64;
+            }
+            if limb + 1 < N {
+                limbs[limb + 1] = (wide >> 64) as u64;
+            }
+        }
+        let magnitude = Int(limbs);
+        if x < 0.0 { Int([0; N]) - magnitude } else { magnitude }
+    }
+
+    /// The integer times 2^shift, for a shift that is not negative.
+    pub(super) fn shifted(self, shift: i32) -> Self {
+        let (limb, bit) = (shift as usize / 64, shift % 64);
+        let mut limbs = [0; N];
+        for i in limb..N {
+            let low = if i > limb { self.0[i - limb - 1] } else { 0 };
+            let wide = (u128::from(self.0[i - limb]) << 64) | u128::from(low);
+            limbs[i] = (wide >> (64 - bit)) as u64;
+        }
+        Int(limbs)
+    }
+
+    /// The sign.
+    pub(super) fn sign(self) -> Sign {
+        if self.0[N - 1] >> 63 != 0 {
+            Sign::Negative
+        } else if self.0.iter().all(|&limb| limb == 0) {
+            Sign::Zero
+        } else {
+            Sign::Positive
+        }
+    }
+}
+
+impl<const N: usize> Add for Int<N> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        let mut carry = 0;
+        Int(std::array::from_fn(|i| {
+            let sum = u128::from(self.0[i]) + u128::from(other.0[i]) + carry;
+            carry = sum >> 64;
+            sum as u64
+        }))
+    }
+}
+
+impl<const N: usize> Sub for Int<N> {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        // a - b = a + !b + 1 in two's complement.
+        let mut carry = 1;
+        Int(std::array::from_fn(|i| {
+            let sum = u128::from(self.0[i]) + u128::from(!other.0[i]) + carry;
+            carry = sum >> 64;
+            sum as u64
+        }))
+    }
+}
+
+impl<const N: usize> Mul for Int<N> {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let mut limbs = [0; N];
+        for i in 0..N {
+            let factor = u128::from(self.0[i]);
+            let mut carry = 0;
+            for j in 0..N - i {
+                // At most (2^64 - 1)^2 + 2 (2^64 - 1) = 2^128 - 1: no overflow.
+                let sum = factor * u128::from(other.0[j]) + u128::from(limbs[i + j]) + carry;
+                limbs[i + j] = sum as u64;
+                carry = sum >> 64;
+            }
+        }
+        Int(limbs)
+    }
+}
+
+/// The magnitude of a finite non-zero float as (mantissa, exponent): mantissa * 2^exponent.
+fn decode(x: f64) -> (u64, i32) {
+    let bits = x.to_bits();
+    let fraction = bits & ((1 << 52) - 1);
+    match ((bits >> 52) & 0x7ff) as i32 {
+        0 => (fraction, -1074),
+        biased => (fraction | 1 << 52, biased - 1075),
+    }
+}
+
+/// The exponent of the lowest bit set in `x`, or `None` for zero: `x` is a multiple of
+/// 2^exponent, and of no higher power.
+pub(super) fn lowest_bit(x: f64) -> Option<i32> {
+    (x != 0.0).then(|| {
+        let (mantissa, exponent) = decode(x);
+        exponent + mantissa.trailing_zeros() as i32
+    })
+}
+
+/// The least `k` with |x| < 2^k, or `None` for zero.
+pub(super) fn width(x: f64) -> Option<i32> {
+    (x != 0.0).then(|| {
+        let (mantissa, exponent) = decode(x);
+        exponent + 64 - mantissa.leading_zeros() as i32
+    })
+}

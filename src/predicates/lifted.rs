@@ -1,0 +1,185 @@
+//! The sign of the lifted determinant: what insphere and the power test have in common.
+//!
+//! With differences from e, the determinant of the four rows
+//!
+//! ```text
+//! (x, y, z, l),   l = x^2 + y^2 + z^2 - (w - w_e),   for the points a, b, c, d
+//! ```
+//!
+//! is negative exactly when e lies below the hyperplane through the lifted a, b, c, d, that is,
+//! inside their sphere, if abcd is positively oriented (Edelsbrunner 1987, section 1.4 and chapter 13).
+//! It is expanded by the minors of pairs of rows in the columns x, y and z, l (Laplace):
+//!
+//! ```text
+//! xy(ab) zl(cd) - xy(ac) zl(bd) + xy(ad) zl(bc) + xy(bc) zl(ad) - xy(bd) zl(ac) + xy(cd) zl(ab)
+//! ```
+//!
+//! # Bounds
+//!
+//! u = 2^-53 is the relative error of one rounding, either way: x = x' (1 + t) and
+//! x' = x (1 + t) with |t| <= u for x' = fl(x), since nothing underflows (see [`super`]). Put
+//! exact values aside and express everything in the calculated differences x', y', z', w':
+//! the exact determinant is the sum of monomials x' y' z' (x'^2, y'^2, z'^2 or w') with one
+//! factor (1 + t) for each difference in it, and the calculated one the sum of the same
+//! monomials with one factor for each rounding that the monomial goes through. Most pass through
+//! the monomials with x'^2:
+//!
+//! | step | roundings |
+//! |---|---|
+//! | the differences x', y', z' and twice x' of the square | 5 |
+//! | the square; its sums with y'^2, with z'^2, with w' | 4 |
+//! | the product and the difference of a minor in x, y | 2 |
+//! | the product and the difference of a minor in z, l | 2 |
+//! | the product of two minors | 1 |
+//! | the sum of six such products, as ((1 + 3) - (2 + 4)) - (5 + 6) | 3 |
+//!
+//! Together 17, so that the error is at most 17 u / (1 - 17 u) times the permanent P: the sum of
+//! |x' y' z'| L over the 24 terms, where L = x'^2 + y'^2 + z'^2 + |w'| of a row.
+//! - **Stage 1.** P <= 24 X Y Z M, with the maxima of |x'|, |y'|, |z'| and L over the four rows:
+//!   the error is at most 408 u X Y Z M. The bound is itself calculated with at most 9 roundings, and
+//!   one to add [`TINY`]: [`MAXIMUM_BOUND`] = 410 u leaves room for them all.
+//! - **Stage 2.** P itself, calculated with at most 12 roundings of non-negative numbers:
+//!   [`PERMANENT_BOUND`] = 17.5 u.
+//! - **Stage 3.** Pairs of floats, by the rules of [`super::double_double`]. Looseness and error
+//!   of each step: differences (1, 0); squares (3, 8); sums with the second square (4, 15), the
+//!   third (5, 24), the weight (6, 35); products of x, y (3, 8), their difference (4, 15);
+//!   products of z, l (8, 63), their difference (9, 80); products of minors (14, 171), their sums
+//!   (15, 200), (16, 231), (17, 264). So the error of the pair is at most 264 u^2 P, and another
+//!   rounding adds its two parts up, whose relative error cannot change the sign:
+//!   [`PAIRS_BOUND`] = 6400 u^2 is above 24 * 264 u^2 and times X Y Z M bounds it.
+//! - **Stage 4.** Integers, [`super::exact`].
+
+use super::double_double::Pairs;
+use super::exact;
+use super::position;
+use super::sign::Sign;
+use super::stages::{self, Stage};
+use std::array::from_fn;
+
+/// Times X Y Z M: bounds the error of the determinant in floats.
+const MAXIMUM_BOUND: f64 = 410.0 * UNIT;
+/// Times the permanent: bounds the error of the determinant in floats.
+const PERMANENT_BOUND: f64 = 17.5 * UNIT;
+/// Times X Y Z M: bounds the error of the determinant in pairs of floats.
+const PAIRS_BOUND: f64 = 6400.0 * UNIT * UNIT;
+/// The relative error of one rounding: 2^-53.
+pub(super) const UNIT: f64 = f64::EPSILON / 2.0;
+/// 2^-1000: added to a bound, it covers the bound's own underflow.
+pub(super) const TINY: f64 = f64::from_bits((1023 - 1000) << 52);
+
+/// Four values, one for each of the rows a, b, c, d.
+type Column = [f64; 4];
+
+/// The sign of the lifted determinant, times -1: positive when e is inside the sphere of the
+/// positively oriented a, b, c, d. The weights are the fourth entries, and count only if
+/// `WEIGHTED`.
+#[inline(always)]
+pub(super) fn conflict<const WEIGHTED: bool>(points: [&[f64; 4]; 5]) -> Sign {
+    let [x, y, z, w] = differences(points);
+    let square: Column = from_fn(|i| x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+    let (lift, magnitude) = if WEIGHTED {
+        (from_fn(|i| square[i] - w[i]), from_fn(|i| square[i] + w[i].abs()))
+    } else {
+        (square, square)
+    };
+    let determinant = laplace([x, y, z, lift]);
+    let product = largest(x) * largest(y) * largest(z) * largest(magnitude);
+    let bound = MAXIMUM_BOUND * product + TINY;
+    if determinant.abs() > bound {
+        stages::count(Stage::Maximum);
+        return -Sign::of(determinant);
+    }
+    further::<WEIGHTED>(points, determinant, product)
+}
+
+/// The stages after the first, given its determinant and X Y Z M.
+#[cold]
+#[inline(never)]
+fn further<const WEIGHTED: bool>(points: [&[f64; 4]; 5], determinant: f64, product: f64) -> Sign {
+    let columns = differences(points);
+    if determinant.abs() > PERMANENT_BOUND * permanent::<WEIGHTED>(columns) + TINY {
+        stages::count(Stage::Permanent);
+        return -Sign::of(determinant);
+    }
+    let determinant = pairs::<WEIGHTED>(points);
+    if determinant.abs() > PAIRS_BOUND * product + TINY {
+        stages::count(Stage::Pairs);
+        return -Sign::of(determinant);
+    }
+    stages::count(Stage::Exact);
+    let weights = points.map(|p| p[3]);
+    -exact::lifted_space(points.map(position), WEIGHTED.then_some(&weights))
+}
+
+/// The differences from the fifth point, by columns.
+#[inline(always)]
+fn differences([a, b, c, d, e]: [&[f64; 4]; 5]) -> [Column; 4] {
+    from_fn(|i| [a[i] - e[i], b[i] - e[i], c[i] - e[i], d[i] - e[i]])
+}
+
+/// The greatest absolute value.
+#[inline(always)]
+fn largest(column: Column) -> f64 {
+    let [a, b, c, d] = column.map(f64::abs);
+    larger(larger(a, b), larger(c, d))
+}
+
+/// The larger of two numbers, neither a NaN.
+#[inline(always)]
+pub(super) fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
+
+/// The determinant of four columns in floats.
+#[inline(always)]
+fn laplace([x, y, z, l]: [Column; 4]) -> f64 {
+    let minor = |p: &Column, q: &Column, i: usize, j: usize| p[i] * q[j] - p[j] * q[i];
+    // The minors of the rows ab, bc, cd, da, and of ac, bd.
+    let ring = |p, q| -> Column { from_fn(|i| minor(p, q, i, (i + 1) % 4)) };
+    let diagonal = |p, q| -> [f64; 2] { from_fn(|i| minor(p, q, i, i + 2)) };
+    let (ring_xy, ring_zl) = (ring(&x, &y), ring(&z, &l));
+    let (diagonal_xy, diagonal_zl) = (diagonal(&x, &y), diagonal(&z, &l));
+    let sides: Column = from_fn(|i| ring_xy[i] * ring_zl[(i + 2) % 4]);
+    let diagonals: [f64; 2] = from_fn(|i| diagonal_xy[i] * diagonal_zl[1 - i]);
+    ((sides[0] + sides[2]) - (sides[1] + sides[3])) - (diagonals[0] + diagonals[1])
+}
+
+/// The permanent of the absolute values, with L in the place of |l|.
+#[inline(always)]
+fn permanent<const WEIGHTED: bool>([x, y, z, w]: [Column; 4]) -> f64 {
+    let weight = |i: usize| if WEIGHTED { w[i].abs() } else { 0.0 };
+    let l: Column = from_fn(|i| x[i] * x[i] + y[i] * y[i] + z[i] * z[i] + weight(i));
+    let [x, y, z] = [x, y, z].map(|column| column.map(f64::abs));
+    let minor = |p: &Column, q: &Column, i: usize, j: usize| p[i] * q[j] + p[j] * q[i];
+    let ring = |p, q| -> Column { from_fn(|i| minor(p, q, i, (i + 1) % 4)) };
+    let diagonal = |p, q| -> [f64; 2] { from_fn(|i| minor(p, q, i, i + 2)) };
+    let (ring_xy, ring_zl) = (ring(&x, &y), ring(&z, &l));
+    let (diagonal_xy, diagonal_zl) = (diagonal(&x, &y), diagonal(&z, &l));
+    let sides: Column = from_fn(|i| ring_xy[i] * ring_zl[(i + 2) % 4]);
+    let diagonals: [f64; 2] = from_fn(|i| diagonal_xy[i] * diagonal_zl[1 - i]);
+    ((sides[0] + sides[2]) + (sides[1] + sides[3])) + (diagonals[0] + diagonals[1])
+}
+
+/// The determinant in pairs of floats.
+#[inline(always)]
+fn pairs<const WEIGHTED: bool>([a, b, c, d, e]: [&[f64; 4]; 5]) -> f64 {
+    let column = |i: usize| Pairs::difference([a[i], b[i], c[i], d[i]], [e[i]; 4]);
+    let [x, y, z] = [column(0), column(1), column(2)];
+    let mut l = x.mul(&x).add(&y.mul(&y)).add(&z.mul(&z));
+    if WEIGHTED {
+        l = l.sub(&column(3));
+    }
+    let next = [1, 2, 3, 0];
+    let ring = |p: &Pairs<4>, q: &Pairs<4>| p.mul(&q.pick(next)).sub(&p.pick(next).mul(q));
+    let diagonal = |p: &Pairs<4>, q: &Pairs<4>| {
+        let ([p, p_next], [q, q_next]) =
+            ([p.pick([0, 1]), p.pick([2, 3])], [q.pick([0, 1]), q.pick([2, 3])]);
+        p.mul(&q_next).sub(&p_next.mul(&q))
+    };
+    let sides = ring(&x, &y).mul(&ring(&z, &l).pick([2, 3, 0, 1]));
+    let diagonals = diagonal(&x, &y).mul(&diagonal(&z, &l).pick([1, 0]));
+    let sides = sides.pick([0, 1]).add(&sides.pick([2, 3]));
+    let sides = sides.pick([0]).sub(&sides.pick([1]));
+    let determinant = sides.sub(&diagonals.pick([0]).add(&diagonals.pick([1])));
+    determinant.hi[0] + determinant.lo[0]
+}

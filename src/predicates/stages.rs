@@ -1,0 +1,54 @@
+//! How many tests each stage settles, for tests and benchmarks (feature `count-stages`).
+//!
+//! Without the feature [`count`] is empty.
+
+/// A stage of a predicate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(usize)]
+pub enum Stage {
+    /// Floats, with a bound from the largest differences.
+    Maximum = 0,
+    /// Floats, with a bound from the permanent.
+    Permanent = 1,
+    /// Floats whose every operation is known to be exact.
+    Grid = 2,
+    /// Pairs of floats.
+    Pairs = 3,
+    /// Integers.
+    Exact = 4,
+    /// The symbolic perturbation, after one of the others found zero.
+    Perturbed = 5,
+}
+
+#[cfg(feature = "count-stages")]
+mod counters {
+    use super::Stage;
+    use std::sync::atomic::{AtomicU64, Ordering};
+
+    static COUNTS: [AtomicU64; 6] = [const { AtomicU64::new(0) }; 6];
+
+    pub(crate) fn count(stage: Stage) {
+        COUNTS[stage as usize].fetch_add(1, Ordering::Relaxed);
+    }
+
+    /// The number of tests that the stage has settled since the last [`reset`], on all threads.
+    pub fn settled(stage: Stage) -> u64 {
+        COUNTS[stage as usize].load(Ordering::Relaxed)
+    }
+
+    /// Sets every counter to zero.
+    pub fn reset() {
+        COUNTS.iter().for_each(|count| count.store(0, Ordering::Relaxed));
+    }
+}
+
+#[cfg(feature = "count-stages")]
+pub use counters::{reset, settled};
+
+#[cfg(feature = "count-stages")]
+pub(crate) use counters::count;
+
+/// Counts a test that the stage has settled.
+#[cfg(not(feature = "count-stages"))]
+#[inline(always)]
+pub(crate) fn count(_stage: Stage) {}
