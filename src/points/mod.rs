@@ -76,7 +76,7 @@ impl Points {
             if row % 65536 == 0 {
                 run.tick(row / 4, total)?;
             }
-            match check(xyz) {
+            match check_coordinates(xyz) {
                 Ok(xyz) => kept.push((xyz, row as u32)),
                 Err(error) if error.status() == Status::NonFinite && options.skip_non_finite => {}
                 Err(error) => return Err(error.at(ElementKind::Row, row as u64)),
@@ -162,7 +162,7 @@ impl Points {
 }
 
 /// The row with -0 made 0, if every coordinate is finite and in range.
-fn check(xyz: [f64; 3]) -> Result<[f64; 3]> {
+pub(crate) fn check_coordinates(xyz: [f64; 3]) -> Result<[f64; 3]> {
     if !xyz.iter().all(|x| x.is_finite()) {
         return Err(Error::new(
             Status::NonFinite,

@@ -1,20 +1,125 @@
 //! Exact Delaunay and regular triangulations.
+//!
+//! The regular triangulation of points `p` with weights `w` is the projection of the lower hull
+//! of the lifted points `(p, |p|^2 - w)`: a cell is in it when no other point has a smaller power
+//! distance `|x - p|^2 - w` to the cell's orthocentre `x` than its own vertices have. A point whose
+//! weight is too small for any cell is *hidden*. With equal weights it is the Delaunay
+//! triangulation (Aurenhammer 1987; Edelsbrunner 1987).
+//!
+//! Predicates are exact, and ties (cospherical points) are broken by the symbolic perturbation of
+//! Devillers and Teillaud 2011 on the lexicographic order of coordinates, so that the cells are a
+//! function of the set of weighted points.
 
+mod build;
+mod canonical;
+mod cavity;
+mod cells;
+mod conflict;
+mod incidence;
+mod locate;
+mod order;
+mod star;
+mod validate;
+mod walk;
+
+pub use cells::CELL_LIMIT;
+pub use incidence::{Edges, Incidence};
+
+use crate::error::{ElementKind, Error, Result, Status};
 use crate::index::NONE;
+use crate::job::{Job, Run, Stage};
 use crate::points::Points;
+use crate::predicates::{WEIGHT_MAX, WEIGHT_MIN};
+use conflict::{Delaunay, Regular, Site};
 use std::sync::Arc;
 
 /// A Delaunay or regular triangulation: finite cells in canonical order.
+///
+/// Vertices are those of [`Points`]. Invariants: every cell is positively oriented, with its least
+/// vertex first and its second least next; cells ascend by their vertices; `neighbors[c][i]` shares
+/// with `c` the facet opposite vertex `i`, or is [`NONE`] on the convex hull; no vertex is in conflict
+/// with any cell; a vertex that no cell uses is in `hidden`.
 #[derive(Clone, Debug)]
 pub struct Triangulation {
     points: Arc<Points>,
     weights: Vec<f64>,
+    row_of_vertex: Vec<u32>,
     cells: Vec<[u32; 4]>,
     neighbors: Vec<[u32; 4]>,
     hidden: Vec<u32>,
 }
 
 impl Triangulation {
+    /// The Delaunay triangulation.
+    ///
+    /// Errors: [`Status::TooFewPoints`] below four distinct points, [`Status::Degenerate`] when
+    /// all lie in a plane, [`Status::LimitExceeded`] past [`CELL_LIMIT`] cells, and those of the
+    /// job. Cost: expected O(n log n) where the triangulation has O(n) cells.
+    pub fn delaunay(points: &Arc<Points>, job: &Job) -> Result<Self> {
+        job.run(&[(Stage::Triangulate, 1.0)], |run| Triangulation::delaunay_in(points, run))
+    }
+
+    /// [`Triangulation::delaunay`] as a stage of a larger build.
+    pub(crate) fn delaunay_in(points: &Arc<Points>, run: &Run<'_>) -> Result<Self> {
+        run.enter(Stage::Triangulate)?;
+        let _charge = run.charge((points.len() * size_of::<Site>()) as u64)?;
+        let mut sites: Vec<Site> = run.try_vec(points.len())?;
+        sites.extend(points.coords().iter().map(|&[x, y, z]| [x, y, z, 0.0]));
+        let mesh = build::build::<Delaunay>(&sites, run)?;
+        let (cells, neighbors) = canonical::canonical(mesh, run)?;
+        Ok(Triangulation {
+            points: points.clone(),
+            weights: Vec::new(),
+            row_of_vertex: Vec::new(),
+            cells,
+            neighbors,
+            hidden: Vec::new(),
+        })
+    }
+
+    /// The regular triangulation with one weight per input row of the points, in squared units.
+    ///
+    /// Of rows with equal coordinates the largest weight wins; weights of rows left out count
+    /// for nothing. Errors: as [`Triangulation::delaunay`], and [`Status::Mismatch`] for a wrong
+    /// number of weights, [`Status::NonFinite`] and [`Status::CoordinateRange`] with the row.
+    pub fn regular(points: &Arc<Points>, weights: &[f64], job: &Job) -> Result<Self> {
+        job.run(&[(Stage::Regular, 1.0)], |run| Triangulation::regular_in(points, weights, run))
+    }
+
+    /// [`Triangulation::regular`] as a stage of a larger build.
+    pub(crate) fn regular_in(
+        points: &Arc<Points>,
+        weights: &[f64],
+        run: &Run<'_>,
+    ) -> Result<Self> {
+        run.enter(Stage::Regular)?;
+        let row_of_vertex = heaviest_rows(points, weights)?;
+        let _charge = run.charge((points.len() * size_of::<Site>()) as u64)?;
+        let mut sites: Vec<Site> = run.try_vec(points.len())?;
+        let weight = |&row: &u32| weights[row as usize] + 0.0;
+        sites.extend(
+            points
+                .coords()
+                .iter()
+                .zip(&row_of_vertex)
+                .map(|(&[x, y, z], row)| [x, y, z, weight(row)]),
+        );
+        let mesh = build::build::<Regular>(&sites, run)?;
+        let (cells, neighbors) = canonical::canonical(mesh, run)?;
+        let mut used = vec![false; points.len()];
+        for &vertex in cells.as_flattened() {
+            used[vertex as usize] = true;
+        }
+        Ok(Triangulation {
+            points: points.clone(),
+            weights: sites.iter().map(|site| site[3]).collect(),
+            row_of_vertex,
+            cells,
+            neighbors,
+            hidden: (0..points.len() as u32).filter(|&v| !used[v as usize]).collect(),
+        })
+    }
+
     /// The points whose distinct positions are the vertices.
     pub fn points(&self) -> &Arc<Points> {
         &self.points
@@ -25,9 +130,20 @@ impl Triangulation {
         self.points.coords()
     }
 
-    /// The weight of each vertex (regular), or empty (Delaunay).
+    /// Whether this is a regular triangulation.
+    pub fn is_weighted(&self) -> bool {
+        !self.weights.is_empty()
+    }
+
+    /// The weight of each vertex, in squared units; empty for Delaunay.
     pub fn weights(&self) -> &[f64] {
         &self.weights
+    }
+
+    /// The input row that each vertex stands for: the first of its duplicates, or of the
+    /// heaviest ones in a regular triangulation.
+    pub fn row_of_vertex(&self) -> &[u32] {
+        if self.is_weighted() { &self.row_of_vertex } else { self.points.row_of_vertex() }
     }
 
     /// The finite cells: four vertices each, positively oriented, the least first, the second
@@ -50,4 +166,42 @@ impl Triangulation {
     pub fn is_hull(&self, cell: u32, facet: usize) -> bool {
         self.neighbors[cell as usize][facet] == NONE
     }
+
+    /// The vertex with its weight, 0 in a Delaunay triangulation.
+    pub fn site(&self, vertex: u32) -> [f64; 4] {
+        let [x, y, z] = self.coords()[vertex as usize];
+        [x, y, z, self.weights.get(vertex as usize).copied().unwrap_or(0.0)]
+    }
+}
+
+/// For each vertex the first of its heaviest rows, once all weights are found to be in order.
+fn heaviest_rows(points: &Points, weights: &[f64]) -> Result<Vec<u32>> {
+    if weights.len() != points.row_count() {
+        return Err(Error::new(
+            Status::Mismatch,
+            format!("{} weights for {} rows of points", weights.len(), points.row_count()),
+        ));
+    }
+    let mut heaviest = points.row_of_vertex().to_vec();
+    for (row, (&weight, &vertex)) in weights.iter().zip(points.vertex_of_row()).enumerate() {
+        if vertex == NONE {
+            continue;
+        }
+        let error = if !weight.is_finite() {
+            Error::new(Status::NonFinite, "a weight is NaN or infinite")
+        } else if weight != 0.0 && !(WEIGHT_MIN..=WEIGHT_MAX).contains(&weight.abs()) {
+            Error::new(
+                Status::CoordinateRange,
+                "a weight other than 0 is too small or too large for exact predicates; rescale",
+            )
+        } else {
+            let best = &mut heaviest[vertex as usize];
+            if weight > weights[*best as usize] {
+                *best = row as u32;
+            }
+            continue;
+        };
+        return Err(error.at(ElementKind::Row, row as u64));
+    }
+    Ok(heaviest)
 }

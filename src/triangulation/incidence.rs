@@ -1,0 +1,138 @@
+//! Derived incidences: the cells of a vertex, the edges, the ring of cells round an edge.
+
+use super::Triangulation;
+use super::cells::EVEN;
+use crate::error::Result;
+use crate::index::NONE;
+use crate::job::Run;
+
+/// The cells of every vertex, in rows.
+///
+/// Invariant: row `v` holds, ascending, exactly the cells that have vertex `v`; the row of a
+/// hidden vertex is empty.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Incidence {
+    offsets: Vec<u32>,
+    cells: Vec<u32>,
+}
+
+impl Incidence {
+    /// The cells of one vertex, ascending.
+    pub fn cells_of(&self, vertex: u32) -> &[u32] {
+        let v = vertex as usize;
+        &self.cells[self.offsets[v] as usize..self.offsets[v + 1] as usize]
+    }
+
+    /// Where the row of each vertex begins; one more entry than vertices.
+    pub fn offsets(&self) -> &[u32] {
+        &self.offsets
+    }
+
+    /// All rows, one after the other.
+    pub fn cells(&self) -> &[u32] {
+        &self.cells
+    }
+}
+
+/// Every edge once.
+///
+/// Invariants: in each edge the lesser vertex comes first; edges ascend lexicographically;
+/// `cells[e]` is the least cell that has edge `e`.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Edges {
+    /// The two vertices of each edge.
+    pub ends: Vec<[u32; 2]>,
+    /// One cell of each edge.
+    pub cells: Vec<u32>,
+}
+
+impl Triangulation {
+    /// The cells of every vertex. Cost: O(n + m).
+    pub fn incidence(&self, run: &Run<'_>) -> Result<Incidence> {
+        let vertices = self.coords().len();
+        let mut offsets: Vec<u32> = run.try_vec(vertices + 1)?;
+        offsets.resize(vertices + 1, 0);
+        for &vertex in self.cells.as_flattened() {
+            offsets[vertex as usize + 1] += 1;
+        }
+        for v in 0..vertices {
+            offsets[v + 1] += offsets[v];
+        }
+        run.poll()?;
+        let mut cells: Vec<u32> = run.try_vec(4 * self.cells.len())?;
+        cells.resize(4 * self.cells.len(), 0);
+        let mut next = offsets.clone();
+        for (cell, vertices) in self.cells.iter().enumerate() {
+            for &vertex in vertices {
+                let slot = &mut next[vertex as usize];
+                cells[*slot as usize] = cell as u32;
+                *slot += 1;
+            }
+        }
+        Ok(Incidence { offsets, cells })
+    }
+
+    /// Every edge with one of its cells. Cost: O(n + m), besides sorting the edges of each vertex.
+    pub fn edges(&self, incidence: &Incidence, run: &Run<'_>) -> Result<Edges> {
+        let mut edges = Edges::default();
+        let mut found: Vec<(u32, u32)> = Vec::new();
+        for vertex in 0..self.coords().len() as u32 {
+            if vertex % 1024 == 0 {
+                run.poll()?;
+            }
+            found.clear();
+            for &cell in incidence.cells_of(vertex) {
+                let others = self.cells[cell as usize].into_iter().filter(|&v| v > vertex);
+                found.extend(others.map(|other| (other, cell)));
+            }
+            found.sort_unstable();
+            found.dedup_by_key(|(other, _)| *other);
+            edges.ends.extend(found.iter().map(|&(other, _)| [vertex, other]));
+            edges.cells.extend(found.iter().map(|&(_, cell)| cell));
+        }
+        Ok(edges)
+    }
+
+    /// The ring of cells round the edge from `a` to `b`, given one of them, into `ring`;
+    /// returns whether it is closed.
+    ///
+    /// The cells turn counterclockwise seen from `b` to `a` (the right hand's fingers, thumb
+    /// from `a` to `b`), so that their centres are the dual facet's polygon with its normal along the
+    /// edge. A closed ring begins with its least cell; an open one, of an edge on the hull,
+    /// with the cell that has the hull behind it. `cell` must have both vertices. Cost: O(ring).
+    pub fn ring(&self, cell: u32, a: u32, b: u32, ring: &mut Vec<u32>) -> bool {
+        ring.clear();
+        let mut current = cell;
+        loop {
+            ring.push(current);
+            match self.turn(current, a, b) {
+                NONE => break,
+                next if next == cell => {
+                    let least = (0..ring.len()).min_by_key(|&i| ring[i]).unwrap_or(0);
+                    ring.rotate_left(least);
+                    return true;
+                }
+                next => current = next,
+            }
+        }
+        // The hull cuts the ring: its first part lies clockwise of the given cell.
+        let ahead = ring.len();
+        current = self.turn(cell, b, a);
+        while current != NONE {
+            ring.push(current);
+            current = self.turn(current, b, a);
+        }
+        ring[ahead..].reverse();
+        ring.rotate_left(ahead);
+        false
+    }
+
+    /// The next cell counterclockwise round the edge from `a` to `b`, or [`NONE`].
+    fn turn(&self, cell: u32, a: u32, b: u32) -> u32 {
+        let vertices = &self.cells[cell as usize];
+        let slot_of = |v: u32| vertices.iter().position(|&w| w == v).unwrap_or(0);
+        // With (a, b, k, l) positive, the turn goes from k to l: it leaves through facet a b l.
+        let [_, _, k, _] = EVEN[slot_of(a)][slot_of(b)];
+        self.neighbors[cell as usize][k]
+    }
+}
