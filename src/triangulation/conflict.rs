@@ -2,6 +2,8 @@
 
 use crate::predicates;
 
+pub(super) use crate::predicates::position;
+
 /// A point with its weight.
 pub(super) type Site = [f64; 4];
 
@@ -30,11 +32,4 @@ impl Conflict for Regular {
     fn in_conflict(a: &Site, b: &Site, c: &Site, d: &Site, point: &Site) -> bool {
         predicates::regular_conflict(a, b, c, d, point)
     }
-}
-
-/// The coordinates of a site.
-#[inline]
-pub(super) fn position(site: &Site) -> &[f64; 3] {
-    let [position @ .., _weight] = site;
-    position
 }

@@ -4,7 +4,7 @@ use super::Triangulation;
 use super::cells::EVEN;
 use crate::error::Result;
 use crate::index::NONE;
-use crate::job::Run;
+use crate::job::{Job, Run, Stage};
 
 /// The cells of every vertex, in rows.
 ///
@@ -47,8 +47,16 @@ pub struct Edges {
 }
 
 impl Triangulation {
-    /// The cells of every vertex. Cost: O(n + m).
-    pub fn incidence(&self, run: &Run<'_>) -> Result<Incidence> {
+    /// The cells of every vertex. Errors: those of the job. Cost: O(n + m).
+    pub fn incidence(&self, job: &Job) -> Result<Incidence> {
+        job.run(&[(Stage::Extract, 1.0)], |run| {
+            run.enter(Stage::Extract)?;
+            self.incidence_in(run)
+        })
+    }
+
+    /// [`Triangulation::incidence`] as a part of a larger build.
+    pub(crate) fn incidence_in(&self, run: &Run<'_>) -> Result<Incidence> {
         let vertices = self.coords().len();
         let mut offsets: Vec<u32> = run.try_vec(vertices + 1)?;
         offsets.resize(vertices + 1, 0);
@@ -72,8 +80,17 @@ impl Triangulation {
         Ok(Incidence { offsets, cells })
     }
 
-    /// Every edge with one of its cells. Cost: O(n + m), besides sorting the edges of each vertex.
-    pub fn edges(&self, incidence: &Incidence, run: &Run<'_>) -> Result<Edges> {
+    /// Every edge with one of its cells. Errors: those of the job. Cost: O(n + m), besides
+    /// sorting the edges of each vertex.
+    pub fn edges(&self, incidence: &Incidence, job: &Job) -> Result<Edges> {
+        job.run(&[(Stage::Extract, 1.0)], |run| {
+            run.enter(Stage::Extract)?;
+            self.edges_in(incidence, run)
+        })
+    }
+
+    /// [`Triangulation::edges`] as a part of a larger build.
+    pub(crate) fn edges_in(&self, incidence: &Incidence, run: &Run<'_>) -> Result<Edges> {
         let mut edges = Edges::default();
         let mut found: Vec<(u32, u32)> = Vec::new();
         for vertex in 0..self.coords().len() as u32 {

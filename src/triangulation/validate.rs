@@ -1,6 +1,7 @@
 //! The full check of a triangulation, in exact arithmetic.
 
 use super::Triangulation;
+use super::cells::FACET;
 use super::conflict::{Conflict, Delaunay, Regular, Site, position};
 use crate::error::{ElementKind, Result};
 use crate::index::NONE;
@@ -107,60 +108,125 @@ impl Triangulation {
         }
     }
 
-    /// The hull is a closed surface, convex along every edge.
+    /// The hull is one closed surface, convex along every edge.
+    ///
+    /// A closed connected surface that is locally convex bounds a convex solid, and a cell complex of
+    /// positively oriented cells with that boundary covers it once.
     fn check_hull(&self, report: &mut Validation, run: &Run<'_>) -> Result<()> {
-        let mut ring = Vec::new();
+        let mut sides: Vec<Side> = Vec::new();
+        let mut facets: Vec<[u32; 3]> = Vec::new();
         for (cell, corners) in self.cells.iter().enumerate() {
-            if cell % 1024 == 0 {
-                run.poll()?;
-            }
             for slot in (0..4).filter(|&slot| self.neighbors[cell][slot] == NONE) {
-                // Outward: seen from the cell's fourth vertex the facet turns clockwise.
-                let [x, y, z] = super::cells::FACET[slot].map(|i| corners[i]);
-                for (a, b) in [(x, y), (y, z), (z, x)] {
-                    let open = !self.bounded_ring(cell as u32, a, b, &mut ring);
-                    let across = ring.first().zip(ring.last()).and_then(|(&first, &last)| {
-                        let other = if last == cell as u32 { first } else { last };
-                        self.hull_apex(other, a, b, corners[slot], cell as u32, slot)
-                    });
-                    let at = |v: u32| &self.coords()[v as usize];
-                    let convex = across.is_some_and(|apex| {
-                        orient3d(at(x), at(y), at(z), at(apex)) != Sign::Positive
-                    });
-                    report.check(open && convex, ElementKind::Cell, cell as u64, || {
-                        format!("the hull is not closed and convex at its edge {a} {b}")
-                    });
+                // Seen from within the facet turns counterclockwise, and beyond it is positive.
+                let [x, y, z] = FACET[slot].map(|i| corners[i]);
+                for (from, to) in [(x, y), (y, z), (z, x)] {
+                    let edge = [from.min(to), from.max(to)];
+                    sides.push(Side { edge, forward: from < to, facet: facets.len() as u32 });
                 }
+                facets.push([x, y, z]);
             }
         }
+        run.poll()?;
+        sides.sort_unstable();
+        let mut pieces = Pieces::new(facets.len());
+        let at = |v: u32| &self.coords()[v as usize];
+        for (i, group) in sides.chunk_by(|s, t| s.edge == t.edge).enumerate() {
+            if i % 4096 == 0 {
+                run.poll()?;
+            }
+            let paired = matches!(group, [s, t] if s.forward != t.forward);
+            report.check(paired, ElementKind::Vertex, u64::from(group[0].edge[0]), || {
+                format!("the hull is not closed at its edge to vertex {}", group[0].edge[1])
+            });
+            let [s, t] = group else { continue };
+            pieces.join(s.facet, t.facet);
+            let [x, y, z] = facets[s.facet as usize].map(at);
+            let apex = facets[t.facet as usize].into_iter().find(|v| !s.edge.contains(v));
+            let convex = apex.is_some_and(|v| orient3d(x, y, z, at(v)) != Sign::Positive);
+            report.check(convex, ElementKind::Vertex, u64::from(s.edge[0]), || {
+                format!("the hull is not convex at its edge to vertex {}", s.edge[1])
+            });
+        }
+        report.check(pieces.count == 1, ElementKind::Cell, 0, || {
+            format!("the hull has {} pieces", pieces.count)
+        });
         Ok(())
     }
 
-    /// [`Triangulation::ring`], cut off where broken adjacency would keep it turning.
-    fn bounded_ring(&self, cell: u32, a: u32, b: u32, ring: &mut Vec<u32>) -> bool {
-        self.ring(cell, a, b, ring)
+    /// Vertices - edges + facets - cells = 1, as for every solid without holes.
+    fn check_euler(&self, report: &mut Validation, run: &Run<'_>) -> Result<()> {
+        let incidence = self.incidence_in(run)?;
+        let edges = self.edges_in(&incidence, run)?.ends.len() as i64;
+        let used = incidence.offsets().windows(2).filter(|pair| pair[0] < pair[1]).count() as i64;
+        let hull = self.neighbors.as_flattened().iter().filter(|&&n| n == NONE).count() as i64;
+        let cells = self.cells.len() as i64;
+        let characteristic = used - edges + (4 * cells + hull) / 2 - cells;
+        report.check(characteristic == 1, ElementKind::Cell, 0, || {
+            format!("the Euler characteristic is {characteristic}, not 1")
+        });
+        let unused = (0..self.coords().len() as u32).filter(|&v| incidence.cells_of(v).is_empty());
+        report.check(unused.eq(self.hidden.iter().copied()), ElementKind::Vertex, 0, || {
+            "the hidden vertices are not those that no cell uses".into()
+        });
+        Ok(())
     }
 
-    /// The third vertex of the hull facet of `cell` on the edge `a b`, other than the given facet.
-    fn hull_apex(
-        &self,
-        cell: u32,
-        a: u32,
-        b: u32,
-        _behind: u32,
-        from: u32,
-        from_slot: usize,
-    ) -> Option<u32> {
-        let corners = &self.cells[cell as usize];
-        (0..4).find_map(|slot| {
-            let on_edge = corners[slot] != a && corners[slot] != b;
-            let hull = self.neighbors[cell as usize][slot] == NONE;
-            if !on_edge || !hull || (cell == from && slot == from_slot) {
-                return None;
-            }
-            corners.iter().enumerate().find_map(|(i, &v)| {
-                (i != slot && v != a && v != b).then_some(v)
-            })
-        })
+    /// A hidden vertex is not in conflict with the cell that holds it.
+    fn check_hidden(&self, report: &mut Validation, run: &Run<'_>) -> Result<()> {
+        if !report.is_valid() {
+            // A walk through broken cells need not end.
+            return Ok(());
+        }
+        let mut cell = 0;
+        for &vertex in &self.hidden {
+            run.poll()?;
+            let site = self.site(vertex);
+            let found = self.locate(*position(&site), cell)?;
+            let rightly = found.is_some_and(|found| {
+                cell = found;
+                !self.in_conflict(&self.cells[found as usize].map(|v| self.site(v)), &site)
+            });
+            report.check(rightly, ElementKind::Vertex, u64::from(vertex), || {
+                "it is hidden, but in conflict with the cell that holds it".into()
+            });
+        }
+        Ok(())
+    }
+}
+
+/// One side of a hull facet; sides of the same edge come to stand together when sorted.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Side {
+    edge: [u32; 2],
+    forward: bool,
+    facet: u32,
+}
+
+/// Disjoint sets of facets.
+struct Pieces {
+    parent: Vec<u32>,
+    count: usize,
+}
+
+impl Pieces {
+    fn new(facets: usize) -> Self {
+        Pieces { parent: (0..facets as u32).collect(), count: facets }
+    }
+
+    fn root(&mut self, mut facet: u32) -> u32 {
+        while self.parent[facet as usize] != facet {
+            let above = self.parent[self.parent[facet as usize] as usize];
+            self.parent[facet as usize] = above;
+            facet = above;
+        }
+        facet
+    }
+
+    fn join(&mut self, a: u32, b: u32) {
+        let (a, b) = (self.root(a), self.root(b));
+        if a != b {
+            self.parent[a.max(b) as usize] = a.min(b);
+            self.count -= 1;
+        }
     }
 }
