@@ -1,9 +1,12 @@
 //! Samples: checked, merged where they coincide, and put into spatial order.
 
 mod bounds;
+mod far_box;
 mod order;
 
 pub use bounds::Bounds;
+pub(crate) use far_box::FAR_BOX_LEN;
+pub use far_box::FAR_BOX_FACTOR;
 
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::index::NONE;
