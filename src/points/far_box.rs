@@ -11,7 +11,7 @@ use crate::index::NONE;
 pub const FAR_BOX_FACTOR: f64 = 5.0;
 
 /// The number of points of the far box.
-pub(crate) const FAR_BOX_LEN: usize = 8;
+pub const FAR_BOX_LEN: usize = 8;
 
 impl Points {
     /// The sample with the far box Z of the power crust: the corners of a cube round the centre of
@@ -20,7 +20,7 @@ impl Points {
     /// The samples keep their numbers, and Z comes after them, outside the spatial order and
     /// without input rows. Errors: [`Status::CoordinateRange`] where the box would leave the
     /// range of coordinates.
-    pub(crate) fn with_far_box(&self) -> Result<Points> {
+    pub fn with_far_box(&self) -> Result<Points> {
         let Bounds { min, max } = self.bounds;
         let half = self.bounds.extent().into_iter().fold(0.0, f64::max) / 2.0 * FAR_BOX_FACTOR;
         let mut coords = Vec::with_capacity(self.len() + FAR_BOX_LEN);

@@ -5,8 +5,8 @@ mod far_box;
 mod order;
 
 pub use bounds::Bounds;
-pub(crate) use far_box::FAR_BOX_LEN;
 pub use far_box::FAR_BOX_FACTOR;
+pub use far_box::FAR_BOX_LEN;
 
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::index::NONE;

@@ -87,11 +87,7 @@ impl Triangulation {
     }
 
     /// [`Triangulation::regular`] as a stage of a larger build.
-    pub(crate) fn regular_in(
-        points: &Arc<Points>,
-        weights: &[f64],
-        run: &Run<'_>,
-    ) -> Result<Self> {
+    pub(crate) fn regular_in(points: &Arc<Points>, weights: &[f64], run: &Run<'_>) -> Result<Self> {
         run.enter(Stage::Regular)?;
         let row_of_vertex = heaviest_rows(points, weights)?;
         let _charge = run.charge((points.len() * size_of::<Site>()) as u64)?;

@@ -74,13 +74,17 @@ impl Triangulation {
                 }
                 let Some(back) = self.facet_towards(neighbor, cell as u32, slot) else {
                     report.check(false, ElementKind::Cell, id, || {
-                        format!("cell {neighbor} opposite its vertex {slot} does not share the facet")
+                        format!(
+                            "cell {neighbor} opposite its vertex {slot} does not share the facet"
+                        )
                     });
                     continue;
                 };
                 let apex = self.site(self.cells[neighbor as usize][back]);
                 report.check(!self.in_conflict(&sites, &apex), ElementKind::Cell, id, || {
-                    format!("the vertex of cell {neighbor} beyond facet {slot} is in conflict with it")
+                    format!(
+                        "the vertex of cell {neighbor} beyond facet {slot} is in conflict with it"
+                    )
                 });
             }
         }

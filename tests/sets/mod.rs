@@ -128,9 +128,8 @@ fn cospherical(n: usize) -> Vec<[f64; 3]> {
 pub fn weights(rows: &[[f64; 3]]) -> Vec<(&'static str, Vec<f64>)> {
     let mut random = Random(rows.len() as u64);
     let extent = |k: usize| {
-        let (min, max) = rows.iter().fold((f64::MAX, f64::MIN), |(min, max), p| {
-            (min.min(p[k]), max.max(p[k]))
-        });
+        let (min, max) =
+            rows.iter().fold((f64::MAX, f64::MIN), |(min, max), p| (min.min(p[k]), max.max(p[k])));
         max - min
     };
     let unit = (0..3).map(extent).fold(0.0, f64::max) / (rows.len() as f64).cbrt();
