@@ -234,3 +234,87 @@ impl Pieces {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::points::Points;
+    use std::sync::Arc;
+
+    /// Lattice points with weights of which some hide: ties, flat hull facets, hidden vertices.
+    fn triangulation() -> Triangulation {
+        let rows = (0..64u32).map(|i| [i % 4, i / 4 % 4, i / 16].map(f64::from));
+        let points = Points::new(rows, Default::default(), &Job::default()).unwrap();
+        let weights: Vec<f64> = (0..64u32).map(|i| f64::from(i * 7 % 5)).collect();
+        Triangulation::regular(&Arc::new(points), &weights, &Job::default()).unwrap()
+    }
+
+    fn is_valid(t: &Triangulation) -> bool {
+        t.validate(&Job::default()).unwrap().is_valid()
+    }
+
+    #[test]
+    fn one_wrong_neighbor_is_noticed() {
+        let t = triangulation();
+        assert!(is_valid(&t) && !t.hidden.is_empty());
+        let count = t.cells.len() as u32;
+        for cell in 0..t.cells.len() {
+            for slot in 0..4 {
+                for wrong in [NONE, 0, (cell as u32 + 1) % count, count] {
+                    let mut t = t.clone();
+                    if std::mem::replace(&mut t.neighbors[cell][slot], wrong) != wrong {
+                        assert!(!is_valid(&t), "cell {cell}, slot {slot}, {wrong}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn one_wrong_cell_is_noticed() {
+        let t = triangulation();
+        for cell in 0..t.cells.len() {
+            let mut turned = t.clone();
+            turned.cells[cell].swap(2, 3);
+            assert!(!is_valid(&turned), "cell {cell} turned over");
+            let mut rotated = t.clone();
+            rotated.cells[cell].rotate_left(1);
+            assert!(!is_valid(&rotated), "cell {cell} rotated");
+            for slot in 0..4 {
+                let mut t = t.clone();
+                t.cells[cell][slot] = (t.cells[cell][slot] + 1) % 64;
+                assert!(!is_valid(&t), "cell {cell}, vertex {slot}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_missing_or_added_cell_is_noticed() {
+        let mut t = triangulation();
+        t.cells.pop();
+        assert!(!is_valid(&t));
+        t.neighbors.pop();
+        assert!(!is_valid(&t));
+        let mut t = triangulation();
+        t.cells.push(t.cells[0]);
+        t.neighbors.push(t.neighbors[0]);
+        assert!(!is_valid(&t));
+    }
+
+    #[test]
+    fn wrong_weights_and_hidden_vertices_are_noticed() {
+        let t = triangulation();
+        for vertex in 0..64 {
+            let mut t = t.clone();
+            t.weights[vertex] += 20.0;
+            assert!(!is_valid(&t), "vertex {vertex} too heavy");
+        }
+        let mut t = t.clone();
+        let hidden = t.hidden.pop();
+        assert!(hidden.is_some() && !is_valid(&t));
+        let mut flat = triangulation();
+        let used = (0..64).find(|v| !flat.hidden.contains(v)).unwrap();
+        flat.hidden.insert(0, used);
+        assert!(!is_valid(&flat));
+    }
+}
