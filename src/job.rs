@@ -193,6 +193,16 @@ impl Job {
         self.times.lock().map(|times| times.clone()).unwrap_or_default()
     }
 
+    /// The number of stages that the builds of this job have been through.
+    pub fn stage_count(&self) -> usize {
+        self.times.lock().map_or(0, |times| times.len())
+    }
+
+    /// The time of one of those stages.
+    pub fn stage_time(&self, index: usize) -> Option<StageTime> {
+        self.times.lock().ok()?.get(index).copied()
+    }
+
     /// Runs one build. `plan` lists its stages in order with their share of the work.
     ///
     /// Errors: [`Status::Busy`] while another build runs, [`Status::Cancelled`] on a spent job.

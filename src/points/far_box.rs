@@ -40,6 +40,6 @@ impl Points {
         let mut row_of_vertex = self.row_of_vertex.clone();
         row_of_vertex.extend([NONE; FAR_BOX_LEN]);
         let bounds = Bounds::of(coords.iter().copied()).unwrap_or(self.bounds);
-        Ok(Points { coords, vertex_of_row: self.vertex_of_row.clone(), row_of_vertex, bounds })
+        Ok(Points { coords, row_of_vertex, bounds, ..self.clone() })
     }
 }

@@ -42,6 +42,9 @@ pub struct Points {
     coords: Vec<[f64; 3]>,
     vertex_of_row: Vec<u32>,
     row_of_vertex: Vec<u32>,
+    duplicate_of: Vec<u32>,
+    duplicate_count: usize,
+    skipped_count: usize,
     bounds: Bounds,
 }
 
@@ -73,7 +76,7 @@ impl Points {
                 format!("{total} points are more than the limit of {POINT_LIMIT}"),
             ));
         }
-        let _charge: Charge = run.charge(total as u64 * 64)?;
+        let _charge: Charge = run.charge(total as u64 * 68)?;
         let mut kept: Vec<([f64; 3], u32)> = run.try_vec(total)?;
         for (row, xyz) in rows.enumerate() {
             if row % 65536 == 0 {
@@ -93,12 +96,18 @@ impl Points {
             coords: run.try_vec(kept.len())?,
             vertex_of_row: vec![NONE; total],
             row_of_vertex: run.try_vec(kept.len())?,
+            duplicate_of: vec![NONE; total],
+            duplicate_count: 0,
+            skipped_count: total - kept.len(),
             bounds,
         };
         for (xyz, row) in kept {
             if points.coords.last() != Some(&xyz) {
                 points.coords.push(xyz);
                 points.row_of_vertex.push(row);
+            } else if let Some(&first) = points.row_of_vertex.last() {
+                points.duplicate_of[row as usize] = first;
+                points.duplicate_count += 1;
             }
             points.vertex_of_row[row as usize] = points.coords.len() as u32 - 1;
         }
@@ -137,25 +146,18 @@ impl Points {
 
     /// For each input row the first row with the same coordinates, or [`NONE`] where the row is
     /// itself the first, or was left out.
-    pub fn duplicate_of(&self) -> Vec<u32> {
-        let first = |(row, &vertex): (usize, &u32)| match vertex {
-            NONE => NONE,
-            vertex => match self.row_of_vertex[vertex as usize] {
-                first if first as usize == row => NONE,
-                first => first,
-            },
-        };
-        self.vertex_of_row.iter().enumerate().map(first).collect()
+    pub fn duplicate_of(&self) -> &[u32] {
+        &self.duplicate_of
     }
 
     /// The number of rows that repeat an earlier one.
     pub fn duplicate_count(&self) -> usize {
-        self.row_count() - self.skipped_count() - self.len()
+        self.duplicate_count
     }
 
     /// The number of rows left out.
     pub fn skipped_count(&self) -> usize {
-        self.vertex_of_row.iter().filter(|&&vertex| vertex == NONE).count()
+        self.skipped_count
     }
 
     /// The smallest box that holds every point.

@@ -1,0 +1,1102 @@
+/* SPDX-License-Identifier: MIT OR Apache-2.0 */
+/* Made by `make header` from src/capi: do not edit. */
+#ifndef MEDAX_H
+#define MEDAX_H
+
+/**
+ * \file medax.h
+ *
+ * medax turns samples of a surface into the structures that tell a solid's shape: exact Delaunay
+ * and regular triangulations, duals, poles, power crusts, medial axes.
+ *
+ *     points -> triangulation -> dual -> poles -> power crust -> complex
+ *
+ * \mainpage
+ *
+ * **Names.** `medax_<noun>_<verb>`. The verbs: `create` makes a handle of the caller's data,
+ * `read` of a file, `build` by computing; `init` sets options to their defaults; `clone` and
+ * `free` count references; `write` makes a file; `validate` checks. What is named by a noun alone
+ * is an accessor: it computes nothing and cannot fail.
+ *
+ * **Arguments.** The subject, the inputs, the options, the job, the outputs. An argument may be
+ * NULL only where its text says so. NULL options are the defaults, a NULL job is a fresh one.
+ *
+ * **Results.** What can fail returns a #medax_status; #medax_last_error_message and its
+ * companions tell the rest. A call that fails writes no output, except that a buffer which the
+ * caller lent for a batch of answers may be partly filled. Nothing is ever printed, and no
+ * exception or panic leaves the library.
+ *
+ * **Handles** are immutable and counted by reference. Any function may be called on any handle
+ * from any thread at any time; only the last `free` of a handle must come last. Handles may be
+ * freed in any order, since what is built from one keeps what it needs of it alive. An output
+ * handle belongs to the caller. Freeing NULL does nothing.
+ *
+ * **Views** borrow from a handle and are valid until the last reference to it is freed.
+ *
+ * **Sized structs** begin with `struct_size`. Options are set with their `init` function, which
+ * takes `sizeof`; a report needs only its `struct_size` set. Programs and libraries of different
+ * versions then understand each other: a field that the caller's version lacks is at its default,
+ * one that the library lacks must be 0.
+ *
+ * **Units.** Coordinates and lengths are in the units of the input, angles in radians; what is
+ * squared says so in its name. Enumerations cross as `uint32_t`. Text is UTF-8, paths included.
+ *
+ * **Answers** depend on the set of the input's points alone: not on the order of its rows, nor on
+ * threads or the machine. Vertices are numbered by spatial rank; rows appear only in maps.
+ */
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* The version of this header; medax_version() is that of the library. */
+#define MEDAX_VERSION_MAJOR 0
+#define MEDAX_VERSION_MINOR 1
+#define MEDAX_VERSION_PATCH 0
+#define MEDAX_VERSION \
+    ((uint32_t)MEDAX_VERSION_MAJOR << 22 | (uint32_t)MEDAX_VERSION_MINOR << 12 | \
+     (uint32_t)MEDAX_VERSION_PATCH)
+
+/* "No such element": the only sentinel in any index array. */
+#define MEDAX_NONE UINT32_MAX
+
+/* Define MEDAX_STATIC to link the static library on Windows. */
+#if defined(_WIN32) && !defined(MEDAX_STATIC)
+#define MEDAX_API __declspec(dllimport)
+#else
+#define MEDAX_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- 1. Library ------------------------------------------------------------------------------
+ *
+ * The version, the statuses, the last error of each thread.
+ */
+
+/**
+ * What a fallible function returns. 1-19 lie with the caller or the data, 20-39 with the run,
+ * 40-59 with files. Numbers are never reused.
+ */
+enum medax_status
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Success.
+     */
+    MEDAX_STATUS_OK = 0,
+    /**
+     * A pointer that must not be NULL is NULL.
+     */
+    MEDAX_STATUS_NULL_ARGUMENT = 1,
+    /**
+     * An argument's value has no meaning here.
+     */
+    MEDAX_STATUS_INVALID_ARGUMENT = 2,
+    /**
+     * A coordinate or weight is NaN or infinite.
+     */
+    MEDAX_STATUS_NON_FINITE = 3,
+    /**
+     * A coordinate or weight lies outside the range in which all predicates are exact.
+     */
+    MEDAX_STATUS_COORDINATE_RANGE = 4,
+    /**
+     * Too few distinct points.
+     */
+    MEDAX_STATUS_TOO_FEW_POINTS = 5,
+    /**
+     * All points lie in a plane, on a line, or at one point.
+     */
+    MEDAX_STATUS_DEGENERATE = 6,
+    /**
+     * Two arguments do not belong together, such as arrays of different lengths.
+     */
+    MEDAX_STATUS_MISMATCH = 7,
+    /**
+     * The job was cancelled.
+     */
+    MEDAX_STATUS_CANCELLED = 20,
+    /**
+     * Memory ran out, or the job's memory ceiling would have been passed.
+     */
+    MEDAX_STATUS_OUT_OF_MEMORY = 21,
+    /**
+     * The result would have more elements than 32-bit indices can name.
+     */
+    MEDAX_STATUS_LIMIT_EXCEEDED = 22,
+    /**
+     * The job is already running a build.
+     */
+    MEDAX_STATUS_BUSY = 23,
+    /**
+     * The operating system refused to read or write a file.
+     */
+    MEDAX_STATUS_IO = 40,
+    /**
+     * A file is malformed or truncated.
+     */
+    MEDAX_STATUS_FORMAT = 41,
+    /**
+     * A file is well formed but of a kind that medax does not read or write.
+     */
+    MEDAX_STATUS_UNSUPPORTED = 42,
+    /**
+     * A defect in medax; please report it.
+     */
+    MEDAX_STATUS_INTERNAL = 99,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum medax_status medax_status;
+#else
+typedef int32_t medax_status;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * The kind of the element that an error points at.
+ */
+enum medax_error_kind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * The error points at no element.
+     */
+    MEDAX_ERROR_KIND_NONE = 0,
+    /**
+     * A row of an input array, or of a file's vertex table, from 0.
+     */
+    MEDAX_ERROR_KIND_ROW = 1,
+    /**
+     * A line of a text file, from 1.
+     */
+    MEDAX_ERROR_KIND_LINE = 2,
+    /**
+     * A byte of a binary file, from 0.
+     */
+    MEDAX_ERROR_KIND_BYTE = 3,
+    /**
+     * A ring of a polygon, from 0.
+     */
+    MEDAX_ERROR_KIND_RING = 4,
+    /**
+     * A face, from 0.
+     */
+    MEDAX_ERROR_KIND_FACE = 5,
+    /**
+     * A cell, from 0.
+     */
+    MEDAX_ERROR_KIND_CELL = 6,
+    /**
+     * A vertex of a structure, from 0.
+     */
+    MEDAX_ERROR_KIND_VERTEX = 7,
+    /**
+     * An edge, from 0.
+     */
+    MEDAX_ERROR_KIND_EDGE = 8,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum medax_error_kind medax_error_kind;
+#else
+typedef uint32_t medax_error_kind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * The version of the loaded library, `major << 22 | minor << 12 | patch`; compare it with
+ * `MEDAX_VERSION`, the version of this header.
+ *
+ * \return The version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API uint32_t medax_version(void);
+
+/**
+ * The version of the loaded library as text, such as `0.1.0`.
+ *
+ * \return A static string; never NULL, never to be freed.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const char *medax_version_string(void);
+
+/**
+ * The name of a status, such as `MEDAX_STATUS_NON_FINITE`.
+ *
+ * \param status A status, or any other number: then the name is `MEDAX_STATUS_UNKNOWN`.
+ * \return A static string; never NULL, never to be freed.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const char *medax_status_name(int32_t status);
+
+/**
+ * What went wrong in this thread's last failing call: a sentence for a person.
+ * A call that succeeds does not clear it.
+ *
+ * \return UTF-8 text, empty if no call has failed; never NULL. Borrowed: valid until the next
+ *         failing call of this thread, or its end.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const char *medax_last_error_message(void);
+
+/**
+ * The kind of the element at which this thread's last error points.
+ *
+ * \return A #medax_error_kind; `MEDAX_ERROR_KIND_NONE` if it points at none.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API uint32_t medax_last_error_kind(void);
+
+/**
+ * The index of the element at which this thread's last error points.
+ *
+ * \return The index, or `UINT64_MAX` if it points at none.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API uint64_t medax_last_error_index(void);
+
+/* ---- 2. Handles ------------------------------------------------------------------------------
+ *
+ * Every structure is immutable once created, and counted by reference.
+ *
+ * A handle is passed as `const T *` and may be used from any thread at any time; only the last
+ * `free` must come last. What is built from a handle keeps what it needs of it alive, so that
+ * handles may be freed in any order. Freeing NULL does nothing.
+ */
+
+/**
+ * Vertices, polygons, loose edges, volume cells and named attributes: every result that can be
+ * drawn or written.
+ */
+typedef struct medax_complex medax_complex;
+
+/**
+ * How to run a build: threads, memory ceiling, progress, cancel.
+ */
+typedef struct medax_job medax_job;
+
+/**
+ * Distinct points in spatial order, with maps from and to the input's rows.
+ */
+typedef struct medax_points medax_points;
+
+/* ---- 3. Views --------------------------------------------------------------------------------
+ *
+ * Arrays that are read where they lie.
+ *
+ * A view is row-major and contiguous. It borrows from the handle that gave it, and is valid
+ * until the last reference to that handle is freed. A NULL handle, or an array without a row,
+ * gives a view without a row, whose data is NULL.
+ */
+
+/**
+ * Rows of floats: row `i` is `data[i * cols]` to `data[i * cols + cols - 1]`.
+ */
+typedef struct {
+    /**
+     * `rows * cols` values; NULL if there are none.
+     */
+    const double *data;
+    /**
+     * The number of rows.
+     */
+    size_t rows;
+    /**
+     * The number of values in a row.
+     */
+    size_t cols;
+} medax_view_f64;
+
+/**
+ * Rows of indices: row `i` is `data[i * cols]` to `data[i * cols + cols - 1]`.
+ */
+typedef struct {
+    /**
+     * `rows * cols` values; NULL if there are none.
+     */
+    const uint32_t *data;
+    /**
+     * The number of rows.
+     */
+    size_t rows;
+    /**
+     * The number of values in a row.
+     */
+    size_t cols;
+} medax_view_u32;
+
+/**
+ * Rows of varying length: row `i` is `indices[offsets[i]]` to `indices[offsets[i + 1] - 1]`.
+ */
+typedef struct {
+    /**
+     * `rows + 1` positions in `indices`, the first of them 0; NULL for a NULL handle.
+     */
+    const uint32_t *offsets;
+    /**
+     * `offsets[rows]` values; NULL if there are none.
+     */
+    const uint32_t *indices;
+    /**
+     * The number of rows.
+     */
+    size_t rows;
+} medax_view_rows;
+
+/* ---- 4. Job ----------------------------------------------------------------------------------
+ *
+ * Options of a build say what to build; a job says how to run it: with how many threads and how
+ * much memory. It tells how far it is, and cancels.
+ *
+ * A job runs one build at a time: a second one meanwhile fails with `MEDAX_STATUS_BUSY`. A
+ * cancelled job is spent: every later build with it fails with `MEDAX_STATUS_CANCELLED`.
+ * Wherever a job is asked for, NULL stands for a fresh one with default options.
+ */
+
+/**
+ * Called with the progress of a build on the thread that runs it, at most twenty times a second.
+ *
+ * \param progress How far the build is, in [0, 1]; never falls during a build.
+ * \param stage What the build is doing, such as `triangulate`: a static string.
+ * \param payload The pointer of the job's options, untouched.
+ * \return 0 to go on, anything else to cancel the job. The function must return: an exception
+ *         or a longjmp out of it is undefined behaviour.
+ */
+typedef int32_t (*medax_progress_callback)(double progress, const char *stage, void *payload);
+
+/**
+ * The settings of a job.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * The most bytes that a build's own arrays may take at once; 0, the default: no ceiling.
+     */
+    uint64_t memory_ceiling;
+    /**
+     * The number of threads; 0, the default: one per processor.
+     */
+    uint32_t threads;
+    /**
+     * Must be 0.
+     */
+    uint32_t reserved;
+    /**
+     * Called during builds, on the thread that runs them; NULL, the default: not called.
+     */
+    medax_progress_callback progress;
+    /**
+     * Passed to `progress`; never read by medax. It must stay valid until the last reference
+     * to the job is freed.
+     */
+    void *payload;
+} medax_job_options;
+
+/**
+ * Sets job options to their defaults.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_status medax_job_options_init(medax_job_options *options, size_t struct_size);
+
+/**
+ * Makes a job that waits for its first build.
+ *
+ * \param options Threads, memory ceiling, progress callback; NULL for the defaults. Copied.
+ * \param out_job Receives the job, which the caller frees with #medax_job_free.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for options of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_job_create(const medax_job_options *options,
+                              const medax_job **out_job);
+
+/**
+ * Asks the running build of a job, and every later one, to stop: within 50 ms it returns
+ * `MEDAX_STATUS_CANCELLED` and leaves nothing behind. Never undone; may be called again.
+ *
+ * \param job The job; NULL does nothing.
+ *
+ * Constant time, any thread. Since 0.1.
+ */
+MEDAX_API void medax_job_cancel(const medax_job *job);
+
+/**
+ * Whether a job was cancelled, by #medax_job_cancel or by its callback.
+ *
+ * \param job The job; NULL is not cancelled.
+ * \return True once it was cancelled.
+ *
+ * Constant time, any thread. Since 0.1.
+ */
+MEDAX_API bool medax_job_is_cancelled(const medax_job *job);
+
+/**
+ * How far the running build of a job is, or the last one came.
+ *
+ * \param job The job; NULL is at 0.
+ * \return A number in [0, 1] that never falls during a build.
+ *
+ * Constant time, any thread. Since 0.1.
+ */
+MEDAX_API double medax_job_progress(const medax_job *job);
+
+/**
+ * What the running build of a job is doing, or the last one did last.
+ *
+ * \param job The job; NULL is idle.
+ * \return A static string, such as `triangulate`; `idle` before the first build; never NULL.
+ *
+ * Constant time, any thread. Since 0.1.
+ */
+MEDAX_API const char *medax_job_stage(const medax_job *job);
+
+/**
+ * The most bytes that the arrays of one build of a job took at once.
+ *
+ * \param job The job; NULL took none.
+ * \return Bytes, as counted against the memory ceiling.
+ *
+ * Constant time, any thread. Since 0.1.
+ */
+MEDAX_API uint64_t medax_job_memory_peak(const medax_job *job);
+
+/**
+ * The number of stages that the builds of a job have been through.
+ *
+ * \param job The job; NULL has been through none.
+ * \return The number of stages whose times #medax_job_stage_time tells; it only grows.
+ *
+ * Constant time, any thread. Since 0.1.
+ */
+MEDAX_API size_t medax_job_stage_count(const medax_job *job);
+
+/**
+ * How long a stage took.
+ *
+ * \param job The job.
+ * \param index Which stage, below #medax_job_stage_count, in the order of time.
+ * \param out_stage Receives a static string, such as `triangulate`; or NULL.
+ * \param out_wall_seconds Receives the elapsed seconds; or NULL.
+ * \param out_cpu_seconds Receives the processor seconds of the whole process; or NULL.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT` without a job, or `INVALID_ARGUMENT` for an index
+ *         past the last stage.
+ *
+ * Constant time, any thread. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_job_stage_time(const medax_job *job,
+                                  size_t index,
+                                  const char **out_stage,
+                                  double *out_wall_seconds,
+                                  double *out_cpu_seconds);
+
+/**
+ * One more reference to a job.
+ *
+ * \param job The job, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time, any thread. Since 0.1.
+ */
+MEDAX_API const medax_job *medax_job_clone(const medax_job *job);
+
+/**
+ * Gives one reference to a job back; the last one frees it.
+ *
+ * \param job The job; NULL does nothing.
+ *
+ * Any thread. Since 0.1.
+ */
+MEDAX_API void medax_job_free(const medax_job *job);
+
+/* ---- 5. Points -------------------------------------------------------------------------------
+ *
+ * They are checked, merged where they coincide, and put into spatial order.
+ *
+ * The distinct points are the vertices of everything built from them, numbered by spatial rank:
+ * the numbers depend on the set of points alone. The rows of the caller's array appear only in
+ * the maps. Coordinates are in the caller's units. They must be 0 or have an absolute value
+ * from 2^-160 to 2^200; there may be 2^28 rows.
+ */
+
+/**
+ * What to do with rows that are not numbers, and the like.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * 1 leaves rows with a NaN or an infinity out; they map to `MEDAX_NONE`. 0, the default:
+     * they are an error.
+     */
+    uint32_t skip_non_finite;
+    /**
+     * Must be 0.
+     */
+    uint32_t reserved;
+} medax_points_options;
+
+/**
+ * Sets points options to their defaults.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_status medax_points_options_init(medax_points_options *options, size_t struct_size);
+
+/**
+ * Makes points of the caller's array of doubles, which is copied.
+ *
+ * \param xyz `count` points of three coordinates, `stride_bytes` apart; need not be aligned.
+ *        NULL only if `count` is 0.
+ * \param count The number of rows.
+ * \param stride_bytes The distance between rows in bytes, at least 24; 0 stands for 24.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_points Receives the points, which the caller frees with #medax_points_free.
+ * \return `MEDAX_STATUS_OK`; `NON_FINITE` or `COORDINATE_RANGE` with the row; `TOO_FEW_POINTS`
+ *         when no row is left; `LIMIT_EXCEEDED` past 2^28 rows; `NULL_ARGUMENT`,
+ *         `INVALID_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(n log n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_points_create_f64(const double *xyz,
+                                     size_t count,
+                                     size_t stride_bytes,
+                                     const medax_points_options *options,
+                                     const medax_job *job,
+                                     const medax_points **out_points);
+
+/**
+ * Makes points of the caller's array of floats, which is copied; otherwise as
+ * #medax_points_create_f64.
+ *
+ * \param xyz `count` points of three coordinates, `stride_bytes` apart; need not be aligned.
+ *        NULL only if `count` is 0.
+ * \param count The number of rows.
+ * \param stride_bytes The distance between rows in bytes, at least 12; 0 stands for 12.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_points Receives the points, which the caller frees with #medax_points_free.
+ * \return As #medax_points_create_f64.
+ *
+ * O(n log n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_points_create_f32(const float *xyz,
+                                     size_t count,
+                                     size_t stride_bytes,
+                                     const medax_points_options *options,
+                                     const medax_job *job,
+                                     const medax_points **out_points);
+
+/**
+ * The distinct points in spatial order: the vertices.
+ *
+ * \param points The points, or NULL.
+ * \return n x 3 coordinates. Borrowed from `points`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_points_coords(const medax_points *points);
+
+/**
+ * The vertex of each row of the input.
+ *
+ * \param points The points, or NULL.
+ * \return Rows x 1: a vertex, or `MEDAX_NONE` for a row left out. Borrowed from `points`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_points_vertex_of_row(const medax_points *points);
+
+/**
+ * The first row of the input at each vertex.
+ *
+ * \param points The points, or NULL.
+ * \return n x 1 rows. Borrowed from `points`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_points_row_of_vertex(const medax_points *points);
+
+/**
+ * The rows of the input that repeat an earlier one.
+ *
+ * \param points The points, or NULL.
+ * \return Rows x 1: the first row with the same coordinates; `MEDAX_NONE` where the row is itself
+ *         the first, or was left out. Borrowed from `points`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_points_duplicate_of(const medax_points *points);
+
+/**
+ * The number of distinct points.
+ *
+ * \param points The points; NULL has none.
+ * \return The number of vertices.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API size_t medax_points_count(const medax_points *points);
+
+/**
+ * The number of rows of the input.
+ *
+ * \param points The points; NULL has none.
+ * \return The number of rows, those left out included.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API size_t medax_points_row_count(const medax_points *points);
+
+/**
+ * The number of rows of the input that repeat an earlier one.
+ *
+ * \param points The points; NULL has none.
+ * \return The number of rows that #medax_points_duplicate_of maps to another one.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API size_t medax_points_duplicate_count(const medax_points *points);
+
+/**
+ * The number of rows of the input that were left out.
+ *
+ * \param points The points; NULL has none.
+ * \return The number of rows that map to no vertex.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API size_t medax_points_skipped_count(const medax_points *points);
+
+/**
+ * The smallest box that holds every point.
+ *
+ * \param points The points.
+ * \param out_min Receives the three least coordinates.
+ * \param out_max Receives the three greatest coordinates.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_points_bounds(const medax_points *points,
+                                 double *out_min,
+                                 double *out_max);
+
+/**
+ * One more reference to points.
+ *
+ * \param points The points, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_points *medax_points_clone(const medax_points *points);
+
+/**
+ * Gives one reference to points back; the last one frees them.
+ *
+ * \param points The points; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_points_free(const medax_points *points);
+
+/* ---- 6. Complex ------------------------------------------------------------------------------
+ *
+ * The one output type: vertices; faces, which are polygons; loose edges, which are no side of a
+ * face; volume cells; named attributes on each of them; and the faces cut into triangles.
+ *
+ * Faces of a solid's surface point out of the material, those of voids included. Elements are
+ * told apart by their indices, never by where they lie.
+ */
+
+/**
+ * The kinds of elements of a complex.
+ */
+enum medax_element
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * A vertex.
+     */
+    MEDAX_ELEMENT_VERTEX = 0,
+    /**
+     * A loose edge.
+     */
+    MEDAX_ELEMENT_EDGE = 1,
+    /**
+     * A face.
+     */
+    MEDAX_ELEMENT_FACE = 2,
+    /**
+     * A volume cell.
+     */
+    MEDAX_ELEMENT_CELL = 3,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum medax_element medax_element;
+#else
+typedef uint32_t medax_element;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * The shape of a volume cell; its vertices are in VTK's order.
+ */
+enum medax_cell_type
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Four vertices.
+     */
+    MEDAX_CELL_TYPE_TETRAHEDRON = 1,
+    /**
+     * A quadrilateral base, then the apex: five vertices.
+     */
+    MEDAX_CELL_TYPE_PYRAMID = 2,
+    /**
+     * A polygonal base of any size, then the apex.
+     */
+    MEDAX_CELL_TYPE_POLYGONAL_PYRAMID = 3,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum medax_cell_type medax_cell_type;
+#else
+typedef uint32_t medax_cell_type;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * The type of an attribute's values.
+ */
+enum medax_value_type
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Lengths, angles, coordinates.
+     */
+    MEDAX_VALUE_TYPE_F64 = 0,
+    /**
+     * Indices and labels.
+     */
+    MEDAX_VALUE_TYPE_U32 = 1,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum medax_value_type medax_value_type;
+#else
+typedef uint32_t medax_value_type;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * Values with a name on one kind of element, one row an element.
+ */
+typedef struct {
+    /**
+     * The name, such as `radius`: a terminated UTF-8 string.
+     */
+    const char *name;
+    /**
+     * A #medax_element: what carries the values.
+     */
+    uint32_t element;
+    /**
+     * A #medax_value_type: which of the two arrays is filled.
+     */
+    uint32_t value_type;
+    /**
+     * The values, if they are of type `MEDAX_VALUE_TYPE_F64`; else without a row.
+     */
+    medax_view_f64 f64_values;
+    /**
+     * The values, if they are of type `MEDAX_VALUE_TYPE_U32`; else without a row.
+     */
+    medax_view_u32 u32_values;
+} medax_attribute;
+
+/**
+ * The arrays from which #medax_complex_create makes a complex. Each may be NULL if its count is
+ * 0; the defaults are no element at all.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * `vertex_count` x 3 coordinates.
+     */
+    const double *vertices;
+    /**
+     * The number of vertices.
+     */
+    size_t vertex_count;
+    /**
+     * `face_count + 1` positions in `face_indices`, the first of them 0.
+     */
+    const uint32_t *face_offsets;
+    /**
+     * `face_offsets[face_count]` vertices: each face a ring.
+     */
+    const uint32_t *face_indices;
+    /**
+     * The number of faces.
+     */
+    size_t face_count;
+    /**
+     * `edge_count` x 2 vertices of edges that are no side of a face.
+     */
+    const uint32_t *edges;
+    /**
+     * The number of loose edges.
+     */
+    size_t edge_count;
+    /**
+     * `cell_count + 1` positions in `cell_indices`, the first of them 0.
+     */
+    const uint32_t *cell_offsets;
+    /**
+     * `cell_offsets[cell_count]` vertices.
+     */
+    const uint32_t *cell_indices;
+    /**
+     * `cell_count` times a #medax_cell_type.
+     */
+    const uint32_t *cell_types;
+    /**
+     * The number of volume cells.
+     */
+    size_t cell_count;
+    /**
+     * `attribute_count` attributes.
+     */
+    const medax_attribute *attributes;
+    /**
+     * The number of attributes.
+     */
+    size_t attribute_count;
+    /**
+     * 2 for plane results, whose z is 0 throughout, else 3; 0 stands for 3.
+     */
+    uint32_t dimension;
+    /**
+     * Must be 0.
+     */
+    uint32_t reserved;
+} medax_complex_parts;
+
+/**
+ * Sets complex parts to none.
+ *
+ * \param parts The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *parts`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_status medax_complex_parts_init(medax_complex_parts *parts, size_t struct_size);
+
+/**
+ * Makes a complex of the caller's arrays, which are checked and copied.
+ *
+ * \param parts The arrays.
+ * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` or `MISMATCH` with the face, edge or cell that has
+ *         too few vertices or an unknown one; `NON_FINITE` with the vertex; `NULL_ARGUMENT`,
+ *         `LIMIT_EXCEEDED` past 2^32 - 2 elements.
+ *
+ * O(n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_complex_create(const medax_complex_parts *parts,
+                                  const medax_complex **out_complex);
+
+/**
+ * 2 for plane results, whose z is 0 throughout, else 3.
+ *
+ * \param complex The complex; NULL has dimension 3.
+ * \return 2 or 3.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API uint32_t medax_complex_dimension(const medax_complex *complex);
+
+/**
+ * The vertices of a complex.
+ *
+ * \param complex The complex, or NULL.
+ * \return v x 3 coordinates, in input units. Borrowed from `complex`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_complex_vertices(const medax_complex *complex);
+
+/**
+ * The faces of a complex.
+ *
+ * \param complex The complex, or NULL.
+ * \return One row a face: a ring of three vertices or more. Borrowed from `complex`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_rows medax_complex_faces(const medax_complex *complex);
+
+/**
+ * The loose edges of a complex: those that are no side of a face.
+ *
+ * \param complex The complex, or NULL.
+ * \return e x 2 vertices. Borrowed from `complex`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_complex_edges(const medax_complex *complex);
+
+/**
+ * The volume cells of a complex.
+ *
+ * \param complex The complex, or NULL.
+ * \return One row a cell: its vertices in VTK's order. Borrowed from `complex`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_rows medax_complex_cells(const medax_complex *complex);
+
+/**
+ * The type of each volume cell.
+ *
+ * \param complex The complex, or NULL.
+ * \return One row a cell: a #medax_cell_type. Borrowed from `complex`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_complex_cell_types(const medax_complex *complex);
+
+/**
+ * The faces of a complex cut into triangles: a fan from each face's first vertex, with the
+ * orientation of the face, in the order of the faces.
+ *
+ * \param complex The complex, or NULL.
+ * \return t x 3 vertices. Borrowed from `complex`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_complex_triangles(const medax_complex *complex);
+
+/**
+ * The face that each triangle is part of.
+ *
+ * \param complex The complex, or NULL.
+ * \return t x 1 faces, ascending. Borrowed from `complex`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_complex_face_of_triangle(const medax_complex *complex);
+
+/**
+ * The number of attributes of a complex.
+ *
+ * \param complex The complex; NULL has none.
+ * \return The number of attributes, over all kinds of elements.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API size_t medax_complex_attribute_count(const medax_complex *complex);
+
+/**
+ * An attribute of a complex by its number.
+ *
+ * \param complex The complex.
+ * \param index Which attribute, below #medax_complex_attribute_count.
+ * \param out_attribute Receives the attribute, whose name and values are borrowed from `complex`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` past the last attribute.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_complex_attribute_at(const medax_complex *complex,
+                                        size_t index,
+                                        medax_attribute *out_attribute);
+
+/**
+ * The attribute of a complex with the given name.
+ *
+ * \param complex The complex.
+ * \param element A #medax_element: what carries the attribute.
+ * \param name The name, such as `radius`; UTF-8.
+ * \param out_attribute Receives the attribute, whose name and values are borrowed from `complex`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` if there is none.
+ *
+ * O(attributes). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_complex_attribute(const medax_complex *complex,
+                                     uint32_t element,
+                                     const char *name,
+                                     medax_attribute *out_attribute);
+
+/**
+ * One more reference to a complex.
+ *
+ * \param complex The complex, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_complex *medax_complex_clone(const medax_complex *complex);
+
+/**
+ * Gives one reference to a complex back; the last one frees it.
+ *
+ * \param complex The complex; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_complex_free(const medax_complex *complex);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* MEDAX_H */

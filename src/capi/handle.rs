@@ -1,0 +1,103 @@
+//! Handles
+//!
+//! Every structure is immutable once created, and counted by reference.
+//!
+//! A handle is passed as `const T *` and may be used from any thread at any time; only the last
+//! `free` must come last. What is built from a handle keeps what it needs of it alive, so that
+//! handles may be freed in any order. Freeing NULL does nothing.
+
+#![deny(unsafe_op_in_unsafe_fn, clippy::undocumented_unsafe_blocks)]
+
+use super::view::null;
+use crate::error::Result;
+use crate::job::Job;
+use std::ffi::CString;
+use std::sync::Arc;
+
+/// How to run a build: threads, memory ceiling, progress, cancel.
+pub struct medax_job {
+    pub(super) job: Job,
+}
+
+/// Distinct points in spatial order, with maps from and to the input's rows.
+pub struct medax_points {
+    pub(super) points: Arc<crate::Points>,
+}
+
+/// Vertices, polygons, loose edges, volume cells and named attributes: every result that can be
+/// drawn or written.
+pub struct medax_complex {
+    pub(super) complex: Arc<crate::Complex>,
+    /// The names of the attributes, terminated for C.
+    pub(super) names: Vec<CString>,
+    /// The types of the cells as C's numbers.
+    pub(super) cell_types: Vec<u32>,
+}
+
+/// A type of which C holds counted references.
+///
+/// Any number of threads may read a handle at once.
+pub(super) trait Handle: Send + Sync + 'static {}
+
+impl Handle for medax_job {}
+impl Handle for medax_points {}
+impl Handle for medax_complex {}
+
+/// A new handle with one reference, which the caller owns.
+pub(super) fn new<T: Handle>(value: T) -> *const T {
+    Arc::into_raw(Arc::new(value))
+}
+
+/// The value behind a handle that must not be NULL.
+///
+/// # Safety
+/// `handle` is NULL or came from [`new`] and has a reference that outlives `'a`.
+pub(super) unsafe fn get<'a, T: Handle>(handle: *const T, name: &str) -> Result<&'a T> {
+    // SAFETY: the caller's promise.
+    unsafe { handle.as_ref() }.ok_or_else(|| null(name))
+}
+
+/// The value behind a handle, if there is one.
+///
+/// # Safety
+/// As for [`get`].
+pub(super) unsafe fn maybe<'a, T: Handle>(handle: *const T) -> Option<&'a T> {
+    // SAFETY: the caller's promise.
+    unsafe { handle.as_ref() }
+}
+
+/// The job behind a handle; `own` becomes the one to run with if there is none.
+///
+/// # Safety
+/// As for [`get`].
+pub(super) unsafe fn job(handle: *const medax_job, own: &mut Option<Job>) -> &Job {
+    // SAFETY: the caller's promise.
+    match unsafe { handle.as_ref() } {
+        Some(handle) => &handle.job,
+        None => own.get_or_insert_default(),
+    }
+}
+
+/// One more reference to the handle, which the caller owns; NULL for NULL.
+///
+/// # Safety
+/// `handle` is NULL or came from [`new`] and has a reference.
+pub(super) unsafe fn clone<T: Handle>(handle: *const T) -> *const T {
+    if !handle.is_null() {
+        // SAFETY: the pointer came from `Arc::into_raw` in `new`, unchanged, and the caller
+        // promises a reference, so that the count is at least 1.
+        unsafe { Arc::increment_strong_count(handle) };
+    }
+    handle
+}
+
+/// Gives one reference back; nothing for NULL.
+///
+/// # Safety
+/// `handle` is NULL or came from [`new`] and has a reference, which is not used again.
+pub(super) unsafe fn free<T: Handle>(handle: *const T) {
+    if !handle.is_null() {
+        // SAFETY: as in `clone`; the caller gives up the reference that this takes.
+        unsafe { Arc::decrement_strong_count(handle) };
+    }
+}

@@ -1,0 +1,204 @@
+//! Views
+//!
+//! Arrays that are read where they lie.
+//!
+//! A view is row-major and contiguous. It borrows from the handle that gave it, and is valid
+//! until the last reference to that handle is freed. A NULL handle, or an array without a row,
+//! gives a view without a row, whose data is NULL.
+
+#![deny(unsafe_op_in_unsafe_fn, clippy::undocumented_unsafe_blocks)]
+
+use crate::complex::Rows;
+use crate::error::{Error, Result, Status};
+use std::ffi::{CStr, c_char};
+use std::{ptr, slice};
+
+/// Rows of floats: row `i` is `data[i * cols]` to `data[i * cols + cols - 1]`.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct medax_view_f64 {
+    /// `rows * cols` values; NULL if there are none.
+    pub data: *const f64,
+    /// The number of rows.
+    pub rows: usize,
+    /// The number of values in a row.
+    pub cols: usize,
+}
+
+/// Rows of indices: row `i` is `data[i * cols]` to `data[i * cols + cols - 1]`.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct medax_view_u32 {
+    /// `rows * cols` values; NULL if there are none.
+    pub data: *const u32,
+    /// The number of rows.
+    pub rows: usize,
+    /// The number of values in a row.
+    pub cols: usize,
+}
+
+/// Rows of varying length: row `i` is `indices[offsets[i]]` to `indices[offsets[i + 1] - 1]`.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct medax_view_rows {
+    /// `rows + 1` positions in `indices`, the first of them 0; NULL for a NULL handle.
+    pub offsets: *const u32,
+    /// `offsets[rows]` values; NULL if there are none.
+    pub indices: *const u32,
+    /// The number of rows.
+    pub rows: usize,
+}
+
+/// A NULL pointer rather than the dangling one of an empty slice.
+fn pointer<T>(values: &[T]) -> *const T {
+    if values.is_empty() { ptr::null() } else { values.as_ptr() }
+}
+
+impl medax_view_f64 {
+    /// A view of `cols` values a row.
+    pub(super) fn new(values: &[f64], cols: usize) -> Self {
+        medax_view_f64 { data: pointer(values), rows: values.len() / cols.max(1), cols }
+    }
+}
+
+impl medax_view_u32 {
+    /// A view of `cols` values a row.
+    pub(super) fn new(values: &[u32], cols: usize) -> Self {
+        medax_view_u32 { data: pointer(values), rows: values.len() / cols.max(1), cols }
+    }
+}
+
+impl medax_view_rows {
+    pub(super) const EMPTY: Self =
+        medax_view_rows { offsets: ptr::null(), indices: ptr::null(), rows: 0 };
+
+    pub(super) fn new(rows: &Rows) -> Self {
+        medax_view_rows {
+            offsets: rows.offsets().as_ptr(),
+            indices: pointer(rows.indices()),
+            rows: rows.len(),
+        }
+    }
+}
+
+/// The error for an argument that must not be NULL.
+pub(super) fn null(name: &str) -> Error {
+    Error::new(Status::NullArgument, format!("the argument '{name}' is NULL"))
+}
+
+/// Where a result goes once it is there; checked before any work, so that a failing call writes
+/// nothing.
+pub(super) struct Out<T>(*mut T);
+
+impl<T> Out<T> {
+    /// # Safety
+    /// `target` is NULL or points at room for a `T`, for as long as this value lives.
+    pub(super) unsafe fn new(target: *mut T, name: &str) -> Result<Self> {
+        if target.is_null() { Err(null(name)) } else { Ok(Out(target)) }
+    }
+
+    pub(super) fn put(self, value: T) {
+        // SAFETY: not NULL, and promised to `new`.
+        unsafe { self.0.write(value) };
+    }
+
+    /// Writes a result that the caller may not want.
+    ///
+    /// # Safety
+    /// `target` is NULL or points at room for a `T`.
+    pub(super) unsafe fn maybe(target: *mut T, value: T) {
+        if !target.is_null() {
+            // SAFETY: not NULL, and the caller's promise.
+            unsafe { target.write(value) };
+        }
+    }
+}
+
+/// The `count` values of the caller's array, which may be NULL if there are none.
+///
+/// # Safety
+/// `data` is NULL or points at `count` values that stay as they are during `'a`.
+pub(super) unsafe fn slice<'a, T: Copy>(
+    data: *const T,
+    count: usize,
+    name: &str,
+) -> Result<&'a [T]> {
+    if count == 0 {
+        return Ok(&[]);
+    }
+    if data.is_null() {
+        return Err(null(name));
+    }
+    check_extent::<T>(count, 1, size_of::<T>(), name)?;
+    // SAFETY: the caller's promise; not NULL, and no longer than memory can be.
+    Ok(unsafe { slice::from_raw_parts(data, count) })
+}
+
+/// The `count` rows of `cols` values of the caller's array, as for [`slice`].
+///
+/// # Safety
+/// `data` is NULL or points at `count * cols` values that stay as they are during `'a`.
+pub(super) unsafe fn rows<'a, T: Copy, const COLS: usize>(
+    data: *const T,
+    count: usize,
+    name: &str,
+) -> Result<&'a [[T; COLS]]> {
+    // SAFETY: the caller's promise; an array is as its elements in a row.
+    unsafe { slice(data.cast::<[T; COLS]>(), count, name) }
+}
+
+/// Points in the caller's array, `stride` bytes apart; 0 stands for no gap.
+///
+/// # Safety
+/// `data` is NULL or points at `count` such points, which stay as they are during `'a`.
+pub(super) unsafe fn points<'a, T: Copy + Into<f64>>(
+    data: *const T,
+    count: usize,
+    stride: usize,
+    name: &str,
+) -> Result<impl ExactSizeIterator<Item = [f64; 3]> + use<'a, T>> {
+    if data.is_null() && count != 0 {
+        return Err(null(name));
+    }
+    let stride = if stride == 0 { 3 * size_of::<T>() } else { stride };
+    check_extent::<T>(count, 3, stride, name)?;
+    Ok((0..count).map(move |row| {
+        let point = data.cast::<u8>().wrapping_add(row * stride).cast::<[T; 3]>();
+        // SAFETY: the caller promises three values at every `row * stride` bytes; `check_extent`
+        // excludes an overflow of that product. Any stride may leave them unaligned.
+        unsafe { point.read_unaligned() }.map(Into::into)
+    }))
+}
+
+/// Errors unless `count` rows of `cols` values, `stride` bytes apart, fit into memory.
+fn check_extent<T>(count: usize, cols: usize, stride: usize, name: &str) -> Result<()> {
+    let row = cols * size_of::<T>();
+    if stride < row {
+        return Err(Error::new(
+            Status::InvalidArgument,
+            format!("the stride of '{name}' is {stride} bytes, less than the {row} of a row"),
+        ));
+    }
+    if count.checked_mul(stride).is_none_or(|bytes| bytes > isize::MAX as usize) {
+        return Err(Error::new(
+            Status::InvalidArgument,
+            format!("'{name}' cannot have {count} rows: no memory is that large"),
+        ));
+    }
+    Ok(())
+}
+
+/// The caller's text.
+///
+/// # Safety
+/// `text` is NULL or points at a terminated string that stays as it is during `'a`.
+pub(super) unsafe fn text<'a>(text: *const c_char, name: &str) -> Result<&'a str> {
+    if text.is_null() {
+        return Err(null(name));
+    }
+    // SAFETY: not NULL, and the caller's promise.
+    let bytes = unsafe { CStr::from_ptr(text) };
+    bytes.to_str().map_err(|_| {
+        Error::new(Status::InvalidArgument, format!("the argument '{name}' is not UTF-8"))
+    })
+}
