@@ -38,13 +38,12 @@ impl<const N: usize> Int<N> {
     /// The integer times 2^shift, for a shift that is not negative.
     pub(super) fn shifted(self, shift: i32) -> Self {
         let (limb, bit) = (shift as usize / 64, shift % 64);
-        let mut limbs = [0; N];
-        for i in limb..N {
-            let low = if i > limb { self.0[i - limb - 1] } else { 0 };
-            let wide = (u128::from(self.0[i - limb]) << 64) | u128::from(low);
-            limbs[i] = (wide >> (64 - bit)) as u64;
-        }
-        Int(limbs)
+        let from = |i: usize| i.checked_sub(limb).map_or(0, |i| self.0[i]);
+        Int(std::array::from_fn(|i| {
+            let low = if i > 0 { from(i - 1) } else { 0 };
+            let wide = (u128::from(from(i)) << 64) | u128::from(low);
+            (wide >> (64 - bit)) as u64
+        }))
     }
 
     /// The sign.

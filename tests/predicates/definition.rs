@@ -1,58 +1,78 @@
 //! Every predicate against its definition.
 
-use crate::rational;
+use crate::rational::{self, weights};
 use crate::sets::{KINDS, Random, five};
-use medax::predicates::{insphere, orient3d, position, power_test};
+use medax::predicates::{
+    Sign, collinear, coplanar_orientation, delaunay_conflict, insphere, orient3d, position,
+    power_test, regular_conflict,
+};
 
 /// The number of random cases of each kind.
-const CASES: usize = 3000;
+const CASES: usize = 1500;
 
-fn cases(mut check: impl FnMut(&str, &[[f64; 4]; 5])) {
+/// Checks every kind of case, and that each sign was expected often enough to mean something.
+fn cases(mut expected: impl FnMut(&str, &[[f64; 4]; 5]) -> Option<Sign>) {
+    let mut seen = [0; 3];
     for (seed, kind) in KINDS.iter().enumerate() {
         let mut random = Random(seed as u64);
         for _ in 0..CASES {
-            check(kind, &five(&mut random, kind));
+            if let Some(sign) = expected(kind, &five(&mut random, kind)) {
+                seen[(sign as i8 + 1) as usize] += 1;
+            }
         }
     }
+    assert!(seen.iter().all(|&n| n > CASES / 10), "each sign must occur: {seen:?}");
 }
 
 #[test]
 fn orientation_is_the_sign_of_the_volume() {
-    let mut seen = [0; 3];
     cases(|kind, rows| {
         let [a, b, c, d, _] = rows.each_ref().map(position);
         let expected = rational::sign(&rational::volume(a, b, c, d));
         assert_eq!(orient3d(a, b, c, d), expected, "{kind}: {rows:?}");
-        seen[(expected as i8 + 1) as usize] += 1;
+        Some(expected)
     });
-    assert!(seen.iter().all(|&n| n > CASES / 10), "each sign must occur: {seen:?}");
+}
+
+#[test]
+fn orientation_in_a_plane_is_the_first_of_three_that_is_not_zero() {
+    cases(|kind, rows| {
+        let [a, b, c, _, _] = rows.each_ref().map(position);
+        let [x, y, z] = rational::normal(a, b, c);
+        let signs = [rational::sign(&z), rational::sign(&x), -rational::sign(&y)];
+        let expected = signs.into_iter().find(|sign| !sign.is_zero()).unwrap_or(Sign::Zero);
+        assert_eq!(coplanar_orientation(a, b, c), expected, "{kind}: {rows:?}");
+        assert_eq!(collinear(a, b, c), expected.is_zero());
+        Some(expected)
+    });
 }
 
 #[test]
 fn insphere_is_the_sign_of_the_distance_to_the_sphere() {
-    let mut seen = [0; 3];
     cases(|kind, rows| {
-        let mut rows = *rows;
-        rows.iter_mut().for_each(|row| row[3] = 0.0);
         let [a, b, c, d, e] = rows.each_ref().map(position);
-        let Some(excess) = rational::excess(rows.each_ref()) else { return };
+        let excess = rational::excess([a, b, c, d, e], &weights([0.0; 5]))?;
         let expected = -rational::sign(&excess) * orient3d(a, b, c, d);
         assert_eq!(insphere(a, b, c, d, e), expected, "{kind}: {rows:?}");
-        seen[(expected as i8 + 1) as usize] += 1;
+        if orient3d(a, b, c, d).is_positive() && !expected.is_zero() {
+            let [a, b, c, d, e] = rows.each_ref();
+            assert_eq!(delaunay_conflict(a, b, c, d, e), expected.is_positive(), "{rows:?}");
+        }
+        Some(expected)
     });
-    assert!(seen.iter().all(|&n| n > CASES / 10), "each sign must occur: {seen:?}");
 }
 
 #[test]
 fn the_power_test_is_the_sign_of_the_power_to_the_sphere() {
-    let mut seen = [0; 3];
     cases(|kind, rows| {
         let [a, b, c, d, e] = rows.each_ref();
-        let Some(excess) = rational::excess([a, b, c, d, e]) else { return };
+        let excess = rational::excess(rows.each_ref().map(position), &weights(rows.map(|p| p[3])))?;
         let turn = orient3d(position(a), position(b), position(c), position(d));
         let expected = -rational::sign(&excess) * turn;
         assert_eq!(power_test(a, b, c, d, e), expected, "{kind}: {rows:?}");
-        seen[(expected as i8 + 1) as usize] += 1;
+        if turn.is_positive() && !expected.is_zero() {
+            assert_eq!(regular_conflict(a, b, c, d, e), expected.is_positive(), "{rows:?}");
+        }
+        Some(expected)
     });
-    assert!(seen.iter().all(|&n| n > CASES / 10), "each sign must occur: {seen:?}");
 }

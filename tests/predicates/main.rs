@@ -3,3 +3,4 @@
 mod definition;
 mod rational;
 mod sets;
+mod ties;

@@ -29,6 +29,16 @@ pub fn cross(a: &Vector, b: &Vector) -> Vector {
     [part(1, 2), part(2, 0), part(0, 1)]
 }
 
+/// A normal of the plane through a, b, c: the three projected areas of twice the triangle.
+pub fn normal(a: &[f64], b: &[f64], c: &[f64]) -> Vector {
+    let [a, b, c] = [a, b, c].map(vector);
+    cross(&sub(&b, &a), &sub(&c, &a))
+}
+
+pub fn weights<const N: usize>(weights: [f64; N]) -> [BigRational; N] {
+    weights.map(rational)
+}
+
 pub fn sign(x: &BigRational) -> Sign {
     if x.is_positive() {
         Sign::Positive
@@ -45,14 +55,14 @@ pub fn volume(a: &[f64], b: &[f64], c: &[f64], d: &[f64]) -> BigRational {
     dot(&cross(&sub(&b, &a), &sub(&c, &a)), &sub(&d, &a))
 }
 
-/// The difference of e's power and a's to the sphere orthogonal to a, b, c, d (rows with weights).
+/// The difference of e's power and a's to the sphere orthogonal to a, b, c, d with the given weights.
 ///
 /// The centre solves 2 (p - a) . (x - a) = |p - a|^2 - (w_p - w_a) for p = b, c, d. Negative
 /// when e is in conflict with the cell. `None` if a, b, c, d are coplanar.
-pub fn excess(points: [&[f64; 4]; 5]) -> Option<BigRational> {
+pub fn excess(points: [&[f64; 3]; 5], weights: &[BigRational]) -> Option<BigRational> {
     let origin = vector(points[0]);
     let [_, b, c, d, e] = points.map(|p| sub(&vector(p), &origin));
-    let weight = |i: usize| rational(points[i][3]) - rational(points[0][3]);
+    let weight = |i: usize| &weights[i] - &weights[0];
     let two = BigRational::from_integer(BigInt::from(2));
     let right = [1, 2, 3].map(|i| {
         let row = [&b, &c, &d][i - 1];
@@ -72,10 +82,10 @@ pub fn excess(points: [&[f64; 4]; 5]) -> Option<BigRational> {
 }
 
 /// The same in the plane of a, b, c, which are not collinear: the centre lies in the plane.
-pub fn excess_in_plane(points: [&[f64; 4]; 4]) -> Option<BigRational> {
+pub fn excess_in_plane(points: [&[f64; 3]; 4], weights: &[BigRational]) -> Option<BigRational> {
     let origin = vector(points[0]);
     let [_, b, c, e] = points.map(|p| sub(&vector(p), &origin));
-    let weight = |i: usize| rational(points[i][3]) - rational(points[0][3]);
+    let weight = |i: usize| &weights[i] - &weights[0];
     let two = BigRational::from_integer(BigInt::from(2));
     // x = s b + t c with 2 p . x = |p|^2 - w_p for p = b, c.
     let (bb, bc, cc) = (dot(&b, &b), dot(&b, &c), dot(&c, &c));
