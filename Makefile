@@ -1,0 +1,69 @@
+# One word a task; `make help` lists them.
+PREFIX ?= /usr/local
+BUILD := $(CURDIR)/build
+# The package that the tests use: installed in one place, then moved to another.
+STAGED := $(BUILD)/staged
+MOVED := $(BUILD)/moved
+CONFIGURE := cmake -S . -B $(BUILD)/medax
+
+.PHONY: help demo test test-rust test-package bench header doc install clean
+.DEFAULT_GOAL := help
+
+help:
+	@echo 'make demo              sample a shape, make its power crust and medial axis, in out/'
+	@echo 'make test              every check and test; installs what they need on Debian'
+	@echo 'make bench             how long each stage takes'
+	@echo 'make install PREFIX=   the library, its headers and packages, the program'
+	@echo 'make header            write include/medax.h anew from src/capi'
+	@echo 'make doc               the Rust documentation, in target/doc'
+	@echo 'make clean             remove target/, build/ and out/'
+
+demo:
+	@cmake/requirements.sh demo
+	cargo build --release --locked
+	@cmake/demo.sh out
+
+test:
+	@cmake/requirements.sh test
+	$(MAKE) --no-print-directory test-rust
+	$(MAKE) --no-print-directory test-package
+
+# Formatting, lints, documentation, Rust tests.
+test-rust:
+	cargo fmt --check
+	cargo clippy --locked --all-targets -- -D warnings
+	cargo clippy --locked --all-targets --no-default-features -- -D warnings
+	RUSTDOCFLAGS='-D warnings' cargo doc --locked --no-deps
+	cargo test --locked
+
+# C, C++ against CGAL and OpenMesh, and consumers, all through an installed package that was moved.
+test-package:
+	$(CONFIGURE) -DCMAKE_INSTALL_PREFIX=$(STAGED)
+	cmake --build $(BUILD)/medax
+	rm -rf $(STAGED) $(MOVED)
+	cmake --install $(BUILD)/medax
+	mv $(STAGED) $(MOVED)
+	cmake -S tests -B $(BUILD)/tests -G Ninja -DCMAKE_PREFIX_PATH=$(MOVED) -DMEDAX_TARGET_DIR=$(BUILD)/medax/target
+	cmake --build $(BUILD)/tests
+	ctest --test-dir $(BUILD)/tests --output-on-failure
+
+bench:
+	cargo bench --locked
+
+header:
+	MEDAX_WRITE_HEADER=1 cargo test --locked --test header
+
+doc:
+	RUSTDOCFLAGS='-D warnings' cargo doc --locked --no-deps
+
+install:
+	@cmake/requirements.sh install
+	$(CONFIGURE) -DCMAKE_INSTALL_PREFIX=$(abspath $(PREFIX))
+	cmake --build $(BUILD)/medax
+	cmake --install $(BUILD)/medax
+	cargo build --release --locked --target-dir target
+	install -d $(DESTDIR)$(abspath $(PREFIX))/bin
+	install -m 755 target/release/medax $(DESTDIR)$(abspath $(PREFIX))/bin/medax
+
+clean:
+	rm -rf target build out

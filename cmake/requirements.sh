@@ -1,0 +1,54 @@
+#!/bin/sh
+# Makes sure that what a make target needs is on this machine: `cmake/requirements.sh demo|install|test`.
+#
+# What is missing is installed with apt-get where that is possible (root, Debian or a relative of
+# it), and named first. Elsewhere the list is printed and the script fails. Nothing is touched when
+# everything is there.
+set -eu
+
+target=${1:?"usage: $0 demo|install|test"}
+packages=''
+others=''
+
+missing_package() { packages="$packages $1"; }
+missing_other() { others="$others
+  - $1"; }
+
+have() { command -v "$1" >/dev/null 2>&1; }
+have_header() { printf '#include <%s>\n' "$1" | c++ -std=c++17 -E -x c++ - >/dev/null 2>&1; }
+
+have cargo || missing_other 'Rust with cargo: https://rustup.rs or your distribution'
+have cc || missing_package gcc
+
+if [ "$target" = install ] || [ "$target" = test ]; then
+    have cmake || missing_package cmake
+fi
+if [ "$target" = test ]; then
+    have cargo && {
+        cargo fmt --version >/dev/null 2>&1 || missing_other 'rustfmt: rustup component add rustfmt'
+        cargo clippy --version >/dev/null 2>&1 || missing_other 'clippy: rustup component add clippy'
+    }
+    have c++ || missing_package g++
+    have nm || missing_package binutils
+    have ninja || missing_package ninja-build
+    have pkg-config || missing_package pkg-config
+    have valgrind || missing_package valgrind
+    have_header CGAL/version.h || missing_package libcgal-dev
+    have_header OpenMesh/Core/System/config.h || missing_package libopenmesh-dev
+fi
+
+if [ -n "$others" ]; then
+    echo "medax: 'make $target' needs, and cannot install by itself:$others" >&2
+    exit 1
+fi
+[ -n "$packages" ] || exit 0
+
+if [ "$(id -u)" -ne 0 ] || ! have apt-get; then
+    echo "medax: 'make $target' needs these packages (Debian's names):$packages" >&2
+    have apt-get && echo "medax: install them with: sudo apt-get install$packages" >&2
+    exit 1
+fi
+echo "medax: 'make $target' needs packages that are not here; installing:$packages"
+apt-get update -q
+# shellcheck disable=SC2086 # one word a package
+DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $packages
