@@ -51,7 +51,7 @@ bench:
 	cargo bench --locked
 
 header:
-	MEDAX_WRITE_HEADER=1 cargo test --locked --test header
+	MEDAX_WRITE_HEADER=1 cargo test --locked --test header_drift
 
 doc:
 	RUSTDOCFLAGS='-D warnings' cargo doc --locked --no-deps

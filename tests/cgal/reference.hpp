@@ -11,6 +11,9 @@ using Point = std::array<double, 3>;
 // Four indices into the caller's points, ascending.
 using Cell = std::array<std::uint32_t, 4>;
 
+// "None": as MEDAX_NONE.
+constexpr std::uint32_t none = UINT32_MAX;
+
 struct Triangulation {
     std::vector<Cell> cells;            // finite cells, sorted
     std::vector<std::uint32_t> hidden;  // points that no cell uses, ascending
@@ -23,8 +26,8 @@ Triangulation delaunay(const std::vector<Point>& points);
 // triangulation shows another row of its position, or none at all; of equal rows the first is shown.
 Triangulation regular(const std::vector<Point>& rows, const std::vector<double>& weights);
 
-// "None": as MEDAX_NONE.
-constexpr std::uint32_t none = UINT32_MAX;
+// The sign of the determinant of q - p, r - p, s - p, exactly.
+int orientation(const Point& p, const Point& q, const Point& r, const Point& s);
 
 // Voronoi vertices and poles, decided with exact constructions.
 struct Poles {

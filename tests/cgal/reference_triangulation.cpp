@@ -87,4 +87,9 @@ Triangulation regular(const std::vector<Point>& rows, const std::vector<double>&
     return result;
 }
 
+int orientation(const Point& p, const Point& q, const Point& r, const Point& s) {
+    auto at = [](const Point& x) { return K::Point_3(x[0], x[1], x[2]); };
+    return CGAL::orientation(at(p), at(q), at(r), at(s));
+}
+
 }  // namespace reference
