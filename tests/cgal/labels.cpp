@@ -44,15 +44,13 @@ std::vector<bool> unbounded(std::size_t count, const std::vector<Cell>& cells) {
     return result;
 }
 
-// The values `in` and `out` of every ball, and the queue of those that have no label yet.
+// The values `in` and `out` of every ball, and the queue of those that have been reached but not labelled.
 class Queue {
 public:
-    explicit Queue(std::size_t count) : in(count), out(count), waiting(count, true) {
-        for (std::uint32_t p = 0; p < count; ++p) queue.emplace(0.0, p);
-    }
+    explicit Queue(std::size_t count) : in(count), out(count), labelled(count) {}
     bool empty() const { return queue.empty(); }
     void raise(std::vector<double>& values, std::uint32_t p, double value) {
-        if (!waiting[p] || value <= values[p]) return;
+        if (labelled[p] || value <= values[p]) return;
         queue.erase({-priority(p), p});
         values[p] = value;
         queue.emplace(-priority(p), p);
@@ -60,7 +58,7 @@ public:
     std::uint32_t pop() {
         std::uint32_t p = queue.begin()->second;
         queue.erase(queue.begin());
-        waiting[p] = false;
+        labelled[p] = true;
         return p;
     }
 
@@ -70,7 +68,7 @@ private:
     double priority(std::uint32_t p) const {
         return in[p] > 0 && out[p] > 0 ? std::abs(in[p] - out[p]) - 1 : std::max(in[p], out[p]);
     }
-    std::vector<bool> waiting;
+    std::vector<bool> labelled;
     std::set<std::pair<double, std::uint32_t>> queue;  // the greatest priority first, then the least ball
 };
 
@@ -101,7 +99,7 @@ Crust power_crust(const Balls& balls, const Triangulation& regular, double deep)
     }
 
     Crust crust;
-    crust.inner.resize(count);
+    crust.inner.resize(count);  // outer, as what nothing reaches
     Queue queue(count);
     for (std::uint32_t p = 0; p < count; ++p)
         if (balls.seed[p]) queue.raise(queue.out, p, 1);

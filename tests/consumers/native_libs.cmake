@@ -5,7 +5,8 @@ if(target_dir)
   set(ENV{CARGO_TARGET_DIR} ${target_dir})
 endif()
 execute_process(
-  COMMAND cargo rustc --locked --lib --no-default-features --crate-type staticlib -- --print native-static-libs
+  # The very command of CMakeLists.txt: where it has run, cargo only repeats what rustc said.
+  COMMAND cargo rustc --release --locked --lib --no-default-features -- --print native-static-libs
   WORKING_DIRECTORY ${root} ERROR_VARIABLE said RESULT_VARIABLE status)
 if(NOT status EQUAL 0 OR NOT said MATCHES "native-static-libs:([^\n]*)")
   message(FATAL_ERROR "rustc did not say which libraries it needs:\n${said}")

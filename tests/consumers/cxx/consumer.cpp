@@ -1,0 +1,2 @@
+#include <medax.hpp>
+int main() { return 0; }
