@@ -285,6 +285,11 @@ MEDAX_API uint64_t medax_last_error_index(void);
 typedef struct medax_complex medax_complex;
 
 /**
+ * The cells of each vertex of a triangulation, and its edges.
+ */
+typedef struct medax_incidence medax_incidence;
+
+/**
  * How to run a build: threads, memory ceiling, progress, cancel.
  */
 typedef struct medax_job medax_job;
@@ -293,6 +298,11 @@ typedef struct medax_job medax_job;
  * Distinct points in spatial order, with maps from and to the input's rows.
  */
 typedef struct medax_points medax_points;
+
+/**
+ * A Delaunay or regular triangulation: finite cells and their neighbours.
+ */
+typedef struct medax_triangulation medax_triangulation;
 
 /* ---- 3. Views --------------------------------------------------------------------------------
  *
@@ -532,7 +542,48 @@ MEDAX_API const medax_job *medax_job_clone(const medax_job *job);
  */
 MEDAX_API void medax_job_free(const medax_job *job);
 
-/* ---- 5. Points -------------------------------------------------------------------------------
+/* ---- 5. Validation ---------------------------------------------------------------------------
+ *
+ * Every structure can check itself: what it promises is looked at element by element, in exact
+ * arithmetic where there is any. A report is data: to find a problem is a success.
+ */
+
+/**
+ * What the check of a structure found. The caller sets `struct_size`, the library the rest.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * The number of conditions checked.
+     */
+    uint64_t checked;
+    /**
+     * The number of conditions that do not hold; 0 for a sound structure.
+     */
+    uint64_t problems;
+    /**
+     * The index of the first offending element, or `UINT64_MAX`.
+     */
+    uint64_t first_index;
+    /**
+     * A #medax_error_kind: the kind of the first offending element.
+     */
+    uint32_t first_kind;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * What is wrong with it: a terminated UTF-8 sentence, cut if it is too long; empty if
+     * nothing is wrong.
+     */
+    char first_message[256];
+} medax_validation;
+
+/* ---- 6. Points -------------------------------------------------------------------------------
  *
  * They are checked, merged where they coincide, and put into spatial order.
  *
@@ -734,7 +785,317 @@ MEDAX_API const medax_points *medax_points_clone(const medax_points *points);
  */
 MEDAX_API void medax_points_free(const medax_points *points);
 
-/* ---- 6. Complex ------------------------------------------------------------------------------
+/* ---- 7. Triangulation ------------------------------------------------------------------------
+ *
+ * Exact Delaunay and regular triangulations. The power distance of a point x to a vertex p of
+ * weight w is |x - p|^2 - w; a cell is in the regular triangulation when no other vertex has a
+ * smaller power distance to the cell's orthocentre than the cell's own have. Without weights
+ * that is the Delaunay triangulation. A vertex whose weight is too small for any cell is hidden.
+ * Ties are broken by a symbolic perturbation, so that the cells depend on the set alone.
+ *
+ * Vertices are those of the points. Facet i of a cell is the one opposite its vertex i.
+ */
+
+/**
+ * The settings of a triangulation: none yet but the size.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+} medax_triangulation_options;
+
+/**
+ * Sets triangulation options to their defaults.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_triangulation_options_init(medax_triangulation_options *options,
+                                              size_t struct_size);
+
+/**
+ * Builds the Delaunay triangulation of points.
+ *
+ * \param points The points, which the triangulation keeps alive.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_triangulation Receives the triangulation, which the caller frees with
+ *        #medax_triangulation_free.
+ * \return `MEDAX_STATUS_OK`; `TOO_FEW_POINTS` below four distinct points; `DEGENERATE` when all
+ *         lie in a plane; `LIMIT_EXCEEDED` past 2^30 cells; `NULL_ARGUMENT`, `INVALID_ARGUMENT`,
+ *         `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * Expected O(n log n) where there are O(n) cells. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_delaunay_build(const medax_points *points,
+                                  const medax_triangulation_options *options,
+                                  const medax_job *job,
+                                  const medax_triangulation **out_triangulation);
+
+/**
+ * Builds the regular triangulation of weighted points.
+ *
+ * \param points The points, which the triangulation keeps alive.
+ * \param weights `weight_count` weights in squared input units, one per row of the points' input.
+ *        Of rows with equal coordinates the largest weight wins. Copied.
+ * \param weight_count #medax_points_row_count.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_triangulation Receives the triangulation, which the caller frees with
+ *        #medax_triangulation_free.
+ * \return As #medax_delaunay_build; also `MISMATCH` for a wrong number of weights, `NON_FINITE` and
+ *         `COORDINATE_RANGE` with the row of a weight.
+ *
+ * Expected O(n log n) where there are O(n) cells. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_regular_build(const medax_points *points,
+                                 const double *weights,
+                                 size_t weight_count,
+                                 const medax_triangulation_options *options,
+                                 const medax_job *job,
+                                 const medax_triangulation **out_triangulation);
+
+/**
+ * The points of a triangulation.
+ *
+ * \param triangulation The triangulation.
+ * \param out_points Receives the points, which the caller frees with #medax_points_free.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_triangulation_points(const medax_triangulation *triangulation,
+                                        const medax_points **out_points);
+
+/**
+ * The coordinates of the vertices.
+ *
+ * \param triangulation The triangulation, or NULL.
+ * \return n x 3, in input units. Borrowed from `triangulation`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_triangulation_coords(const medax_triangulation *triangulation);
+
+/**
+ * The weights of the vertices.
+ *
+ * \param triangulation The triangulation, or NULL.
+ * \return n x 1, in squared input units; no row for a Delaunay triangulation. Borrowed from
+ *         `triangulation`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_triangulation_weights(const medax_triangulation *triangulation);
+
+/**
+ * The row of the input that each vertex stands for.
+ *
+ * \param triangulation The triangulation, or NULL.
+ * \return n x 1: the first row with the vertex's coordinates, in a regular triangulation the first
+ *         of the heaviest ones. Borrowed from `triangulation`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_u32 medax_triangulation_row_of_vertex(const medax_triangulation *triangulation);
+
+/**
+ * The finite cells.
+ *
+ * \param triangulation The triangulation, or NULL.
+ * \return m x 4 vertices, positively oriented: the determinant of b - a, c - a, d - a is positive.
+ *         The least vertex comes first, the second least next; cells ascend by their vertices.
+ *         Borrowed from `triangulation`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_triangulation_cells(const medax_triangulation *triangulation);
+
+/**
+ * The neighbours of the finite cells.
+ *
+ * \param triangulation The triangulation, or NULL.
+ * \return m x 4 cells: column i shares facet i with the cell, and is `MEDAX_NONE` on the hull.
+ *         Borrowed from `triangulation`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_triangulation_neighbors(const medax_triangulation *triangulation);
+
+/**
+ * The vertices that no cell uses, because their weights are too small.
+ *
+ * \param triangulation The triangulation, or NULL.
+ * \return Hidden vertices x 1, ascending. Borrowed from `triangulation`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_triangulation_hidden(const medax_triangulation *triangulation);
+
+/**
+ * A cell that holds a point. Of a point on a facet, edge or vertex, which lies in several cells,
+ * the hint decides which one.
+ *
+ * \param triangulation The triangulation.
+ * \param xyz The three coordinates of the point.
+ * \param hint_cell Where to begin the search; any number that is no cell stands for cell 0.
+ * \param out_cell Receives the cell, or `MEDAX_NONE` outside the convex hull.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, `NON_FINITE`, `COORDINATE_RANGE`.
+ *
+ * O(cells between the hint and the point). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_triangulation_locate(const medax_triangulation *triangulation,
+                                        const double *xyz,
+                                        uint32_t hint_cell,
+                                        uint32_t *out_cell);
+
+/**
+ * The ring of cells round an edge, counterclockwise seen from `b` to `a`. A closed ring begins
+ * with its least cell, one that the hull cuts begins where it has the hull behind it.
+ *
+ * \param triangulation The triangulation.
+ * \param cell A cell that has the edge, such as #medax_incidence_cell_of_edge names.
+ * \param a One vertex of the edge.
+ * \param b The other one.
+ * \param capacity The number of cells for which `out_cells` has room.
+ * \param out_cells Receives the first `capacity` cells of the ring; NULL only if `capacity` is 0.
+ * \param out_count Receives the length of the ring, which may be more than `capacity`.
+ * \param out_closed Receives 1 if the ring is closed, 0 if the edge lies on the hull.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` with the cell if it does not
+ *         have the edge.
+ *
+ * O(length of the ring). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_triangulation_ring(const medax_triangulation *triangulation,
+                                      uint32_t cell,
+                                      uint32_t a,
+                                      uint32_t b,
+                                      size_t capacity,
+                                      uint32_t *out_cells,
+                                      size_t *out_count,
+                                      uint32_t *out_closed);
+
+/**
+ * Checks a triangulation in exact arithmetic: order, orientation, adjacency, the empty sphere
+ * or power of every facet, the convex hull, Euler's formula, the hidden vertices.
+ *
+ * \param triangulation The triangulation.
+ * \param job NULL for a default job.
+ * \param out_report Filled, its `struct_size` being set.
+ * \return `MEDAX_STATUS_OK` whatever was found; `NULL_ARGUMENT`, `INVALID_ARGUMENT` for a report
+ *         of no version, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(m) exact predicates. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_triangulation_validate(const medax_triangulation *triangulation,
+                                          const medax_job *job,
+                                          medax_validation *out_report);
+
+/**
+ * One more reference to a triangulation.
+ *
+ * \param triangulation The triangulation, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+const medax_triangulation *medax_triangulation_clone(const medax_triangulation *triangulation);
+
+/**
+ * Gives one reference to a triangulation back; the last one frees it.
+ *
+ * \param triangulation The triangulation; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_triangulation_free(const medax_triangulation *triangulation);
+
+/* ---- 8. Incidence ----------------------------------------------------------------------------
+ *
+ * What a triangulation tells only indirectly: the cells of each vertex, and the edges.
+ */
+
+/**
+ * Builds the incidences of a triangulation.
+ *
+ * \param triangulation The triangulation.
+ * \param job NULL for a default job.
+ * \param out_incidence Receives the incidences, which the caller frees with
+ *        #medax_incidence_free.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(m log m). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_incidence_build(const medax_triangulation *triangulation,
+                                   const medax_job *job,
+                                   const medax_incidence **out_incidence);
+
+/**
+ * The cells of each vertex.
+ *
+ * \param incidence The incidences, or NULL.
+ * \return One row a vertex: the cells that have it, ascending; a hidden vertex has none. Borrowed
+ *         from `incidence`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_rows medax_incidence_cells_of_vertex(const medax_incidence *incidence);
+
+/**
+ * The edges.
+ *
+ * \param incidence The incidences, or NULL.
+ * \return e x 2 vertices, the lesser one first; edges ascend. Borrowed from `incidence`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_incidence_edges(const medax_incidence *incidence);
+
+/**
+ * A cell of each edge, from which #medax_triangulation_ring finds the others.
+ *
+ * \param incidence The incidences, or NULL.
+ * \return e x 1: the least cell that has the edge. Borrowed from `incidence`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_incidence_cell_of_edge(const medax_incidence *incidence);
+
+/**
+ * One more reference to incidences.
+ *
+ * \param incidence The incidences, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_incidence *medax_incidence_clone(const medax_incidence *incidence);
+
+/**
+ * Gives one reference to incidences back; the last one frees them.
+ *
+ * \param incidence The incidences; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_incidence_free(const medax_incidence *incidence);
+
+/* ---- 9. Complex ------------------------------------------------------------------------------
  *
  * The one output type: vertices; faces, which are polygons; loose edges, which are no side of a
  * face; volume cells; named attributes on each of them; and the faces cut into triangles.

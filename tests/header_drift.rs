@@ -7,7 +7,17 @@ use std::path::Path;
 use std::{env, fs};
 
 /// The chapters of the header in order: the files of `src/capi`.
-const CHAPTERS: [&str; 6] = ["status", "handle", "view", "job", "points", "complex"];
+const CHAPTERS: [&str; 9] = [
+    "status",
+    "handle",
+    "view",
+    "job",
+    "validation",
+    "points",
+    "triangulation",
+    "incidence",
+    "complex",
+];
 
 /// What cbindgen puts round the functions of each chapter; the header has it once.
 const OPEN: &str = "#ifdef __cplusplus\nextern \"C\" {\n#endif // __cplusplus\n\n";
@@ -62,4 +72,29 @@ fn the_header_is_up_to_date() {
     let found = fs::read_to_string(&path).unwrap_or_default();
     let line = made.lines().zip(found.lines()).position(|(a, b)| a != b);
     assert!(made == found, "include/medax.h is stale from line {line:?} on: run `make header`");
+}
+
+#[test]
+fn every_function_is_documented_in_full() {
+    let header = generate();
+    let code = header.split("extern \"C\" {").nth(1).unwrap();
+    let mut parts: Vec<&str> = code.split("MEDAX_API").collect();
+    for (before, declaration) in parts.clone().iter().zip(parts.drain(1..)) {
+        let declaration = declaration.split(';').next().unwrap();
+        let text = before.rsplit("/**").next().unwrap();
+        assert!(text.trim_end().ends_with("*/"), "no text before {declaration}");
+        assert!(text.contains("Since 0."), "no version before {declaration}");
+        let (head, arguments) = declaration.split_once('(').unwrap();
+        let returns = !head.trim_start().starts_with("void ");
+        assert_eq!(text.contains("\\return"), returns, "\\return before {declaration}");
+        let name = |argument: &str| {
+            argument.trim_end_matches(')').rsplit([' ', '*']).next().unwrap().to_string()
+        };
+        for argument in arguments.split(',').map(name).filter(|name| name != "void") {
+            assert!(
+                text.contains(&format!("\\param {argument} ")),
+                "\\param {argument} before {declaration}"
+            );
+        }
+    }
 }

@@ -362,8 +362,10 @@ pub unsafe extern "C" fn medax_complex_face_of_triangle(
 
 unsafe fn row_view(complex: *const medax_complex, read: fn(&Complex) -> &Rows) -> medax_view_rows {
     boundary::value(medax_view_rows::EMPTY, || {
-        handle::maybe(complex)
-            .map_or(medax_view_rows::EMPTY, |c| medax_view_rows::new(read(&c.complex)))
+        handle::maybe(complex).map_or(medax_view_rows::EMPTY, |c| {
+            let rows = read(&c.complex);
+            medax_view_rows::new(rows.offsets(), rows.indices())
+        })
     })
 }
 

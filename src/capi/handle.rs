@@ -24,6 +24,17 @@ pub struct medax_points {
     pub(super) points: Arc<crate::Points>,
 }
 
+/// A Delaunay or regular triangulation: finite cells and their neighbours.
+pub struct medax_triangulation {
+    pub(super) triangulation: Arc<crate::Triangulation>,
+}
+
+/// The cells of each vertex of a triangulation, and its edges.
+pub struct medax_incidence {
+    pub(super) cells: crate::triangulation::Incidence,
+    pub(super) edges: crate::triangulation::Edges,
+}
+
 /// Vertices, polygons, loose edges, volume cells and named attributes: every result that can be
 /// drawn or written.
 pub struct medax_complex {
@@ -41,6 +52,8 @@ pub(super) trait Handle: Send + Sync + 'static {}
 
 impl Handle for medax_job {}
 impl Handle for medax_points {}
+impl Handle for medax_triangulation {}
+impl Handle for medax_incidence {}
 impl Handle for medax_complex {}
 
 /// A new handle with one reference, which the caller owns.

@@ -16,6 +16,9 @@ mod options;
 mod view;
 
 mod complex;
+mod incidence;
 mod job;
 mod points;
 mod status;
+mod triangulation;
+mod validation;

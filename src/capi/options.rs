@@ -34,6 +34,8 @@ unsafe impl Plain for u64 {}
 unsafe impl Plain for i64 {}
 // SAFETY: an integer.
 unsafe impl Plain for usize {}
+// SAFETY: integers.
+unsafe impl<const N: usize> Plain for [std::ffi::c_char; N] {}
 // SAFETY: a float.
 unsafe impl Plain for f64 {}
 // SAFETY: a raw pointer.
@@ -157,7 +159,6 @@ pub(super) struct Report<T> {
     size: usize,
 }
 
-#[cfg_attr(not(test), expect(dead_code, reason = "the structures that report come next"))]
 impl<T: SizedStruct> Report<T> {
     /// Checks the caller's size.
     ///

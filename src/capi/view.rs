@@ -8,7 +8,6 @@
 
 #![deny(unsafe_op_in_unsafe_fn, clippy::undocumented_unsafe_blocks)]
 
-use crate::complex::Rows;
 use crate::error::{Error, Result, Status};
 use std::ffi::{CStr, c_char};
 use std::{ptr, slice};
@@ -72,11 +71,12 @@ impl medax_view_rows {
     pub(super) const EMPTY: Self =
         medax_view_rows { offsets: ptr::null(), indices: ptr::null(), rows: 0 };
 
-    pub(super) fn new(rows: &Rows) -> Self {
+    /// A view of rows that begin and end at the offsets.
+    pub(super) fn new(offsets: &[u32], indices: &[u32]) -> Self {
         medax_view_rows {
-            offsets: rows.offsets().as_ptr(),
-            indices: pointer(rows.indices()),
-            rows: rows.len(),
+            offsets: offsets.as_ptr(),
+            indices: pointer(indices),
+            rows: offsets.len().saturating_sub(1),
         }
     }
 }
@@ -110,6 +110,34 @@ impl<T> Out<T> {
         if !target.is_null() {
             // SAFETY: not NULL, and the caller's promise.
             unsafe { target.write(value) };
+        }
+    }
+}
+
+/// The caller's array of `count` values, to be filled.
+pub(super) struct Buffer<T> {
+    target: *mut T,
+    count: usize,
+}
+
+impl<T: Copy> Buffer<T> {
+    /// # Safety
+    /// `target` is NULL or points at room for `count` values, for as long as this value lives.
+    pub(super) unsafe fn new(target: *mut T, count: usize, name: &str) -> Result<Self> {
+        if target.is_null() && count != 0 {
+            return Err(null(name));
+        }
+        check_extent::<T>(count, 1, size_of::<T>(), name)?;
+        Ok(Buffer { target, count })
+    }
+
+    /// Writes the values from the front on, as many as there is room for.
+    pub(super) fn fill(self, values: &[T]) {
+        let count = values.len().min(self.count);
+        if count != 0 {
+            // SAFETY: room for as many was promised to `new`, and none of it is behind `values`,
+            // which the library owns.
+            unsafe { ptr::copy_nonoverlapping(values.as_ptr(), self.target, count) };
         }
     }
 }
