@@ -68,6 +68,15 @@ impl Points {
         options: PointsOptions,
         run: &Run<'_>,
     ) -> Result<Self> {
+        Points::from_rows_in(rows.map(Some), options, run)
+    }
+
+    /// [`Points::new_in`] where a row that is `None` is left out unseen.
+    pub(crate) fn from_rows_in(
+        rows: impl ExactSizeIterator<Item = Option<[f64; 3]>>,
+        options: PointsOptions,
+        run: &Run<'_>,
+    ) -> Result<Self> {
         run.enter(Stage::Order)?;
         let total = rows.len();
         if total > POINT_LIMIT {
@@ -82,6 +91,7 @@ impl Points {
             if row % 65536 == 0 {
                 run.tick(row / 4, total)?;
             }
+            let Some(xyz) = xyz else { continue };
             match check_coordinates(xyz) {
                 Ok(xyz) => kept.push((xyz, row as u32)),
                 Err(error) if error.status() == Status::NonFinite && options.skip_non_finite => {}

@@ -1,0 +1,92 @@
+//! Whole files: read in pieces, and replaced in one move.
+
+use crate::error::{Error, Result, Status};
+use crate::job::{Charge, Run};
+use std::fs::File;
+use std::io::{self, BufWriter, Read, Write};
+use std::path::{Path, PathBuf};
+
+/// How much is read between two reports of progress.
+const PIECE: usize = 4 << 20;
+/// The share of reading that goes to getting the bytes; parsing takes the rest.
+const LOAD_SHARE: usize = 10;
+
+/// A file's bytes, counted against the memory ceiling while they live.
+pub(super) struct Bytes<'a> {
+    pub bytes: Vec<u8>,
+    _charges: Vec<Charge<'a>>,
+}
+
+pub(super) fn load<'a>(path: &Path, run: &'a Run<'a>) -> Result<Bytes<'a>> {
+    let failed = |error: io::Error| failed("read", path, &error);
+    let mut file = File::open(path).map_err(failed)?;
+    // A pipe has no length; the length of a file may change while it is read.
+    let length = file.metadata().map_err(failed)?.len() as usize;
+    let mut charges = vec![run.charge(length as u64 + 1)?];
+    // One byte more, so that the end is seen without growing.
+    let mut bytes = run.try_vec(length + 1)?;
+    loop {
+        run.tick(bytes.len(), LOAD_SHARE * length.max(bytes.len()))?;
+        if bytes.len() == bytes.capacity() {
+            let extra = bytes.len().max(PIECE);
+            charges.push(run.charge(extra as u64)?);
+            bytes.try_reserve_exact(extra).map_err(|_| {
+                Error::new(Status::OutOfMemory, format!("{extra} bytes are not to be had"))
+            })?;
+        }
+        let room = (bytes.capacity() - bytes.len()).min(PIECE);
+        let read =
+            Read::by_ref(&mut file).take(room as u64).read_to_end(&mut bytes).map_err(failed)?;
+        if read == 0 {
+            return Ok(Bytes { bytes, _charges: charges });
+        }
+    }
+}
+
+/// Writes a file beside its name and moves it into place when `write` has ended well.
+/// Otherwise nothing is left behind, and a file that was there before stays as it was.
+pub(super) fn replace<T>(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> Result<T>,
+) -> Result<T> {
+    let failed = |error: io::Error| failed("write", path, &error);
+    let target = target(path).map_err(failed)?;
+    let folder = match target.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    };
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".medax-").suffix(".part");
+    #[cfg(unix)]
+    {
+        // As for any new file; the user's mask takes its bits away.
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    let file = builder.tempfile_in(folder).map_err(failed)?;
+    let mut out = BufWriter::with_capacity(1 << 16, file);
+    let written = write(&mut out).map_err(|error| match error.status() {
+        Status::Io => Error::new(
+            Status::Io,
+            format!("cannot write '{}': {}", path.display(), error.message()),
+        ),
+        _ => error,
+    })?;
+    let file = out.into_inner().map_err(|error| failed(error.into_error()))?;
+    file.persist(&target).map_err(|error| failed(error.error))?;
+    Ok(written)
+}
+
+/// The file that a link at the end of the path names, or the path itself.
+fn target(path: &Path) -> io::Result<PathBuf> {
+    match path.metadata() {
+        Ok(there) if there.is_file() => path.canonicalize(),
+        Ok(_) => Err(io::Error::other("something other than a file has this name")),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(path.to_path_buf()),
+        Err(error) => Err(error),
+    }
+}
+
+fn failed(action: &str, path: &Path, error: &io::Error) -> Error {
+    Error::new(Status::Io, format!("cannot {action} '{}': {error}", path.display()))
+}

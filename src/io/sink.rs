@@ -1,0 +1,53 @@
+//! Where writers put their bytes: counted rows, so that a job sees progress and can stop them.
+
+use crate::error::Result;
+use crate::job::Run;
+use std::fmt::Arguments;
+use std::io::Write;
+
+/// The rows between two reports of progress: well below 10 ms of writing.
+const TICK_ROWS: usize = 4096;
+
+/// The output of one writer.
+pub(super) struct Sink<'a> {
+    out: &'a mut dyn Write,
+    run: &'a Run<'a>,
+    done: usize,
+    total: usize,
+    warnings: Vec<String>,
+}
+
+impl<'a> Sink<'a> {
+    /// A sink that expects `total` rows.
+    pub fn new(out: &'a mut dyn Write, total: usize, run: &'a Run<'a>) -> Self {
+        Sink { out, run, done: 0, total, warnings: Vec::new() }
+    }
+
+    pub fn bytes(&mut self, bytes: &[u8]) -> Result<()> {
+        Ok(self.out.write_all(bytes)?)
+    }
+
+    pub fn text(&mut self, text: Arguments<'_>) -> Result<()> {
+        Ok(self.out.write_fmt(text)?)
+    }
+
+    /// Says what the file does not hold.
+    pub fn warn(&mut self, warning: String) {
+        self.warnings.push(warning);
+    }
+
+    /// Ends the writing and returns the warnings.
+    pub fn finish(self) -> Result<Vec<String>> {
+        self.out.flush()?;
+        Ok(self.warnings)
+    }
+
+    /// Says that a row is written.
+    pub fn row(&mut self) -> Result<()> {
+        self.done += 1;
+        if self.done.is_multiple_of(TICK_ROWS) {
+            self.run.tick(self.done, self.total)?;
+        }
+        Ok(())
+    }
+}

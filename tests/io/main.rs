@@ -1,0 +1,8 @@
+//! Reading and writing files: round trips, malformed and damaged files, real models.
+
+mod damage;
+mod malformed;
+mod models;
+mod round_trip;
+mod samples;
+mod saving;
