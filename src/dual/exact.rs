@@ -1,0 +1,193 @@
+//! The exact stages behind the centres of cells: short numbers on a grid, and integers of any size.
+
+use super::center::{Center, power_of_two};
+use super::double_double::Dd;
+use num_bigint::BigInt;
+use num_traits::{Signed, ToPrimitive, Zero};
+
+/// The mantissa and exponent of a finite f64: x = m 2^e, with m odd, or 0 and a large exponent.
+fn decode(x: f64) -> (i64, i32) {
+    let biased = ((x.to_bits() >> 52) & 0x7ff) as i32;
+    let fraction = (x.to_bits() & ((1 << 52) - 1)) as i64;
+    let mantissa = if biased == 0 { fraction } else { fraction | 1 << 52 };
+    if mantissa == 0 {
+        return (0, i32::MAX);
+    }
+    let zeros = mantissa.trailing_zeros();
+    let sign = if x < 0.0 { -1 } else { 1 };
+    (sign * (mantissa >> zeros), biased.max(1) - 1075 + zeros as i32)
+}
+
+/// The largest exponent e such that all coordinates are multiples of 2^e, and all weights of 2^2e.
+fn unit_exponent(points: &[[f64; 3]; 4], weights: Option<[f64; 4]>, base: [f64; 3]) -> i32 {
+    let coordinates = points.iter().flatten().chain(&base).map(|&x| decode(x).1);
+    let weights = weights.into_iter().flatten().map(|w| decode(w).1.div_euclid(2));
+    coordinates.chain(weights).min().unwrap_or(0).min(0x400)
+}
+
+/// Grids finer than the input's by 2^3 hold the centres of the cells of common lattices.
+const GRID_BITS: i32 = 3;
+/// The exponents of grids for which squared units are normal numbers.
+const GRID_EXPONENTS: std::ops::Range<i32> = -500..400;
+/// The largest coordinate difference in grid units: products of two fit an i128 with room to sum.
+const GRID_SIZE: f64 = power_of_two(60);
+/// The largest coordinate and weight in grid units.
+const GRID_REACH: f64 = power_of_two(120);
+
+/// The centre, if `offset` (the centre less the first point, nearly) rounded to a fine grid solves
+/// 2 N . b = |b|² + w_a - w_b exactly for all three offsets b. The determinant must not be 0: then
+/// the solution is the only one.
+pub(super) fn on_grid(
+    points: [[f64; 3]; 4],
+    weights: Option<[f64; 4]>,
+    base: [f64; 3],
+    offset: [Dd; 3],
+) -> Option<Center> {
+    let exponent = unit_exponent(&points, weights, base) - GRID_BITS;
+    if !GRID_EXPONENTS.contains(&exponent) {
+        return None;
+    }
+    let (unit, per_unit) = (power_of_two(exponent), power_of_two(-exponent));
+    let whole = |x: f64, limit: f64| (x.abs() <= limit).then_some(x as i128);
+    let reach = |x: f64| whole(x * per_unit, GRID_REACH);
+    let reach_3 = |p: [f64; 3]| Some([reach(p[0])?, reach(p[1])?, reach(p[2])?]);
+    let nearest = |x: Dd| {
+        let high = (x.hi * per_unit).round();
+        let low = ((x.hi * per_unit - high) + x.lo * per_unit).round();
+        Some(whole(high, GRID_SIZE)? + whole(low, GRID_SIZE)?)
+    };
+    let center = [nearest(offset[0])?, nearest(offset[1])?, nearest(offset[2])?];
+    let weight = |i: usize| match weights {
+        Some(weights) => whole(weights[i] * per_unit * per_unit, GRID_REACH),
+        None => Some(0),
+    };
+    let (first, first_weight) = (reach_3(points[0])?, weight(0)?);
+    for i in 1..4 {
+        let point = reach_3(points[i])?;
+        let mut excess = weight(i)? - first_weight;
+        for k in 0..3 {
+            let edge = point[k] - first[k];
+            if edge.unsigned_abs() > GRID_SIZE as u128 {
+                return None;
+            }
+            excess += edge * (2 * center[k] - edge);
+        }
+        if excess != 0 {
+            return None;
+        }
+    }
+    let base = reach_3(base)?;
+    // Conversion to f64 rounds to nearest, ties to even; the units are powers of two.
+    let position = std::array::from_fn(|k| (base[k] + center[k]) as f64 * unit);
+    let square: i128 = center.iter().map(|x| x * x).sum();
+    Some(Center { position, radius_squared: (square - first_weight) as f64 * unit * unit })
+}
+
+/// The centre in exact arithmetic; `None` if the determinant is 0.
+pub(super) fn by_integers(
+    points: [[f64; 3]; 4],
+    weights: Option<[f64; 4]>,
+    base: [f64; 3],
+) -> Option<Center> {
+    let exponent = unit_exponent(&points, weights, base);
+    let solution = Solution::new(&points, weights, exponent);
+    if solution.determinant.is_zero() {
+        return None;
+    }
+    let divisor = &solution.determinant * 2;
+    let position = std::array::from_fn(|k| {
+        let base = integer(base[k], exponent) * &divisor;
+        ratio(base + &solution.numerator[k], &divisor, exponent)
+    });
+    let square: BigInt = solution.numerator.iter().map(|x| x * x).sum();
+    let weight = weights.map_or(BigInt::zero(), |weights| integer(weights[0], 2 * exponent));
+    let divisor = &divisor * &divisor;
+    let radius_squared = ratio(square - weight * &divisor, &divisor, 2 * exponent);
+    Some(Center { position, radius_squared })
+}
+
+/// N and D of `center.rs`, in units of 2^4e and 2^3e.
+struct Solution {
+    numerator: [BigInt; 3],
+    determinant: BigInt,
+}
+
+impl Solution {
+    fn new(points: &[[f64; 3]; 4], weights: Option<[f64; 4]>, exponent: i32) -> Solution {
+        let place = |p: [f64; 3]| p.map(|x| integer(x, exponent));
+        let a = place(points[0]);
+        let edges: [[BigInt; 3]; 3] = std::array::from_fn(|i| {
+            let p = place(points[i + 1]);
+            std::array::from_fn(|k| &p[k] - &a[k])
+        });
+        let lifts: [BigInt; 3] = std::array::from_fn(|i| {
+            let square: BigInt = edges[i].iter().map(|x| x * x).sum();
+            match weights {
+                Some(w) => square + integer(w[0], 2 * exponent) - integer(w[i + 1], 2 * exponent),
+                None => square,
+            }
+        });
+        let cross = |i: usize, j: usize| {
+            [(1, 2), (2, 0), (0, 1)]
+                .map(|(p, q)| &edges[i][p] * &edges[j][q] - &edges[i][q] * &edges[j][p])
+        };
+        let crosses = [cross(1, 2), cross(2, 0), cross(0, 1)];
+        Solution {
+            numerator: std::array::from_fn(|k| (0..3).map(|i| &lifts[i] * &crosses[i][k]).sum()),
+            determinant: (0..3).map(|k| &edges[0][k] * &crosses[0][k]).sum(),
+        }
+    }
+}
+
+/// x / 2^`exponent`, which must be whole.
+fn integer(x: f64, exponent: i32) -> BigInt {
+    match decode(x) {
+        (0, _) => BigInt::zero(),
+        (mantissa, power) => BigInt::from(mantissa) << (power - exponent) as usize,
+    }
+}
+
+/// The f64 nearest to (`numerator` / `denominator`) 2^`exponent`, ties to even, the largest finite
+/// one instead of an infinity. The denominator must not be 0.
+fn ratio(numerator: BigInt, denominator: &BigInt, exponent: i32) -> f64 {
+    if numerator.is_zero() {
+        return 0.0;
+    }
+    let negative = numerator.is_negative() != denominator.is_negative();
+    let (numerator, denominator) = (numerator.abs(), denominator.abs());
+    // The quotient gets 63 to 65 bits, as many as a u128 holds with ease, and a sticky last bit.
+    let shift = 64 + denominator.bits() as i64 - numerator.bits() as i64;
+    let (numerator, denominator) = match shift >= 0 {
+        true => (numerator << shift as u64, denominator),
+        false => (numerator, denominator << shift.unsigned_abs()),
+    };
+    let quotient = &numerator / &denominator;
+    let sticky = &quotient * &denominator != numerator;
+    let quotient = quotient.to_u128().unwrap_or(u128::MAX);
+    let magnitude = assemble(quotient << 1 | u128::from(sticky), i64::from(exponent) - shift - 1);
+    // Adding 0 turns -0 into 0.
+    (if negative { -magnitude } else { magnitude }) + 0.0
+}
+
+/// The f64 nearest to `bits` 2^`exponent`, ties to even; `bits` has more than 60 bits, and its last
+/// one stands for everything below it.
+fn assemble(bits: u128, exponent: i64) -> f64 {
+    let top = i64::from(127 - bits.leading_zeros()) + exponent;
+    // The exponent of the last bit of the result: 52 below the first one, or that of subnormals.
+    let last = (top - 52).max(-1074);
+    let drop = last - exponent;
+    if drop > 127 {
+        return 0.0;
+    }
+    let (kept, rest) = (bits >> drop, bits & ((1 << drop) - 1));
+    let half = 1u128 << (drop - 1);
+    let up = rest > half || (rest == half && kept & 1 == 1);
+    // At most 2^53, so exact in an f64.
+    let mantissa = (kept + u128::from(up)) as f64;
+    if last > 971 {
+        return f64::MAX;
+    }
+    // Two factors, because 2^-1074 is no normal number, and the first product must not round.
+    let value = mantissa * power_of_two((last / 2) as i32) * power_of_two((last - last / 2) as i32);
+    value.min(f64::MAX)
+}
