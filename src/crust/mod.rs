@@ -1,4 +1,192 @@
-//! crust
+//! The power crust: a watertight surface from samples, and the power shape, an approximation of
+//! the medial axis (Amenta, Choi, Kolluri 2001, *The Power Crust*).
+//!
+//! The Voronoi diagram of the samples gives their poles; the poles' balls, labelled inner and
+//! outer, describe the solid and its complement; the facets of the balls' power diagram
+//! between inner and outer cells are the surface.
 
-/// To come.
-pub struct PowerCrust;
+mod label;
+mod shape;
+mod surface;
+mod validate;
+
+pub use label::Label;
+
+use crate::complex::Complex;
+use crate::error::{Error, Result, Status};
+use crate::index::NONE;
+use crate::job::{Job, Run, Stage};
+use crate::points::{Points, PointsOptions};
+use crate::poles::Poles;
+use crate::triangulation::Triangulation;
+use std::sync::Arc;
+
+/// What to build.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PowerCrustOptions {
+    /// Neighbouring balls intersect deeply, and so lie on the same side, where -cos of the angle
+    /// between their spheres exceeds this; in [0, 1], 0.4 by default (the paper's angle alpha is
+    /// arccos(-0.4), about 114 degrees).
+    pub deep: f64,
+}
+
+impl Default for PowerCrustOptions {
+    fn default() -> Self {
+        PowerCrustOptions { deep: 0.4 }
+    }
+}
+
+/// A power crust with all that it was made from.
+///
+/// Invariants: every pole has a label; no inner pole has an unbounded power cell; `surface` is
+/// closed, and a manifold, in its own indices: each directed side of a face occurs once, and so
+/// does its reverse; its faces are exactly the power facets between inner and outer poles,
+/// oriented from inner to outer. Vertices of `regular` and poles are matched by `regular`'s
+/// maps: poles are its input rows.
+#[derive(Clone, Debug)]
+pub struct PowerCrust {
+    options: PowerCrustOptions,
+    poles: Arc<Poles>,
+    regular: Arc<Triangulation>,
+    labels: Vec<Label>,
+    unreached: usize,
+    forced: usize,
+    surface: Arc<Complex>,
+    inner_shape: Arc<Complex>,
+    outer_shape: Arc<Complex>,
+}
+
+impl PowerCrust {
+    /// The power crust of a sample.
+    ///
+    /// Errors: [`Status::TooFewPoints`] below four distinct points, [`Status::Degenerate`] where
+    /// all lie in a plane, [`Status::InvalidArgument`] for options out of range, and those of
+    /// the job. Cost: that of two triangulations, of the n samples and of their at most 2 n
+    /// poles, nearly all of it in the second.
+    pub fn build(points: &Arc<Points>, options: PowerCrustOptions, job: &Job) -> Result<Self> {
+        let plan = [
+            (Stage::Triangulate, 0.2),
+            (Stage::Poles, 0.1),
+            (Stage::Order, 0.05),
+            (Stage::Regular, 0.45),
+            (Stage::Label, 0.1),
+            (Stage::Extract, 0.1),
+        ];
+        job.run(&plan, |run| {
+            let poles = Arc::new(Poles::with_far_box_in(points, run)?);
+            PowerCrust::from_poles_in(poles, options, run)
+        })
+    }
+
+    /// The power crust of poles that [`Poles::with_far_box`] chose, without choosing them again.
+    ///
+    /// Errors: as [`PowerCrust::build`], and [`Status::Mismatch`] for poles of a sample alone.
+    pub fn from_poles(poles: &Arc<Poles>, options: PowerCrustOptions, job: &Job) -> Result<Self> {
+        let plan = [
+            (Stage::Order, 0.1),
+            (Stage::Regular, 0.6),
+            (Stage::Label, 0.15),
+            (Stage::Extract, 0.15),
+        ];
+        job.run(&plan, |run| PowerCrust::from_poles_in(poles.clone(), options, run))
+    }
+
+    fn from_poles_in(poles: Arc<Poles>, options: PowerCrustOptions, run: &Run<'_>) -> Result<Self> {
+        if !(0.0..=1.0).contains(&options.deep) {
+            return Err(Error::new(
+                Status::InvalidArgument,
+                "the depth of a deep intersection is -cos of an angle and lies in [0, 1]",
+            ));
+        }
+        if !poles.has_far_box() {
+            return Err(Error::new(
+                Status::Mismatch,
+                "a power crust needs poles chosen with the far box",
+            ));
+        }
+        let regular = Arc::new(triangulate_balls(&poles, run)?);
+        let incidence = regular.incidence_in(run)?;
+        let edges = regular.edges_in(&incidence, run)?;
+        drop(incidence);
+        let labelling = label::label_poles(&poles, &regular, &edges, &options, run)?;
+        run.enter(Stage::Extract)?;
+        let labels = labelling.labels;
+        let surface = surface::extract(&regular, &labels, &edges, run)?;
+        let shape = |side| shape::extract(&poles, &regular, &labels, &edges, side, run);
+        let (inner_shape, outer_shape) = (shape(Label::Inner)?, shape(Label::Outer)?);
+        Ok(PowerCrust {
+            options,
+            poles,
+            regular,
+            labels,
+            unreached: labelling.unreached,
+            forced: labelling.forced,
+            surface: Arc::new(surface),
+            inner_shape: Arc::new(inner_shape),
+            outer_shape: Arc::new(outer_shape),
+        })
+    }
+
+    /// What was asked for.
+    pub fn options(&self) -> &PowerCrustOptions {
+        &self.options
+    }
+
+    /// The poles and their balls.
+    pub fn poles(&self) -> &Arc<Poles> {
+        &self.poles
+    }
+
+    /// The regular triangulation of the polar balls; its input rows are the poles.
+    pub fn regular(&self) -> &Arc<Triangulation> {
+        &self.regular
+    }
+
+    /// The label of each pole.
+    pub fn labels(&self) -> &[Label] {
+        &self.labels
+    }
+
+    /// The number of poles that no label reached, and that are outer for that reason.
+    pub fn unreached_count(&self) -> usize {
+        self.unreached
+    }
+
+    /// The number of poles made outer because their power cells are unbounded.
+    pub fn forced_count(&self) -> usize {
+        self.forced
+    }
+
+    /// The power crust: convex polygons, oriented outward. Faces carry `inner_pole` and
+    /// `outer_pole`, vertices the `cell` of the regular triangulation whose orthocentre they are.
+    pub fn surface(&self) -> &Arc<Complex> {
+        &self.surface
+    }
+
+    /// The inner power shape: poles inside the solid with `radius` and `pole`, and the faces of the
+    /// regular triangulation between them.
+    pub fn inner_shape(&self) -> &Arc<Complex> {
+        &self.inner_shape
+    }
+
+    /// The outer power shape.
+    pub fn outer_shape(&self) -> &Arc<Complex> {
+        &self.outer_shape
+    }
+
+    /// Whether the pole takes part in the power diagram: it is neither hidden nor a lighter
+    /// duplicate of another pole's centre.
+    pub fn is_visible(&self, pole: u32) -> bool {
+        let vertex = self.regular.points().vertex_of_row()[pole as usize];
+        vertex != NONE
+            && self.regular.row_of_vertex()[vertex as usize] == pole
+            && self.regular.hidden().binary_search(&vertex).is_err()
+    }
+}
+
+/// The regular triangulation of the polar balls: weights are squared radii.
+fn triangulate_balls(poles: &Poles, run: &Run<'_>) -> Result<Triangulation> {
+    let centers = poles.balls().iter().map(|&[x, y, z, _]| [x, y, z]);
+    let points = Arc::new(Points::new_in(centers, PointsOptions::default(), run)?);
+    Triangulation::regular_in(&points, poles.radii_squared(), run)
+}

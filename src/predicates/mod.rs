@@ -22,6 +22,7 @@
 //!   low, is a multiple of 2^(-3 * 212 - 424) = 2^-1060. A float of such a size is exact down to
 //!   2^-1074.
 
+mod angle;
 mod circle;
 mod double_double;
 mod exact;
@@ -33,6 +34,7 @@ mod sign;
 mod sphere;
 pub mod stages;
 
+pub use angle::angle;
 pub use orient::{collinear, coplanar_orientation, orient3d};
 pub use perturb::{
     delaunay_conflict, delaunay_conflict_in_plane, regular_conflict, regular_conflict_in_plane,

@@ -17,7 +17,7 @@ const TICK: usize = 64;
 /// Errors: [`Status::TooFewPoints`] below four, [`Status::Degenerate`] for flat sets, and those
 /// of the run.
 pub(super) fn build<'a, C: Conflict>(sites: &[Site], run: &'a Run<'a>) -> Result<Cells<'a>> {
-    let simplex = first_simplex(sites, run)?;
+    let simplex = first_simplex(sites.len(), |v| *position(&sites[v as usize]), run)?;
     let mut mesh = Cells::new(simplex, sites.len(), run)?;
     let mut cavity = Cavity::<C>::new(sites.len(), run)?;
     let mut walk = Walk::new(0);
@@ -38,22 +38,25 @@ pub(super) fn build<'a, C: Conflict>(sites: &[Site], run: &'a Run<'a>) -> Result
 }
 
 /// Four sites that span space, positively oriented: the first ones in the order of insertion.
-fn first_simplex(sites: &[Site], run: &Run<'_>) -> Result<[u32; 4]> {
-    if sites.len() < 4 {
+pub(super) fn first_simplex(
+    count: usize,
+    at: impl Fn(u32) -> [f64; 3],
+    run: &Run<'_>,
+) -> Result<[u32; 4]> {
+    if count < 4 {
         return Err(Error::new(
             Status::TooFewPoints,
-            format!("a triangulation needs 4 distinct points, not {}", sites.len()),
+            format!("a triangulation needs 4 distinct points, not {count}"),
         ));
     }
-    let at = |v: u32| position(&sites[v as usize]);
     let mut found: Vec<u32> = Vec::with_capacity(4);
-    for (done, v) in insertion_order(sites.len()).enumerate() {
+    for (done, v) in insertion_order(count).enumerate() {
         if done % 4096 == 0 {
             run.poll()?;
         }
         match found[..] {
-            [a, b] if collinear(at(a), at(b), at(v)) => {}
-            [a, b, c] => match orient3d(at(a), at(b), at(c), at(v)) {
+            [a, b] if collinear(&at(a), &at(b), &at(v)) => {}
+            [a, b, c] => match orient3d(&at(a), &at(b), &at(c), &at(v)) {
                 Sign::Zero => {}
                 Sign::Positive => return Ok([a, b, c, v]),
                 Sign::Negative => return Ok([b, a, c, v]),

@@ -77,6 +77,14 @@ impl Triangulation {
         })
     }
 
+    /// Whether four of the points span space.
+    ///
+    /// Errors: [`Status::TooFewPoints`] and [`Status::Degenerate`] if not.
+    pub(crate) fn check_solid(points: &Points, run: &Run<'_>) -> Result<()> {
+        let site = |v: u32| points.coords()[v as usize];
+        build::first_simplex(points.len(), site, run).map(|_| ())
+    }
+
     /// The regular triangulation with one weight per input row of the points, in squared units.
     ///
     /// Of rows with equal coordinates the largest weight wins; weights of rows left out count

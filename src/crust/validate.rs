@@ -1,0 +1,228 @@
+//! The combinatorial check of a power crust.
+
+use super::label::{label_poles, unbounded_poles};
+use super::{Label, PowerCrust};
+use crate::complex::{Complex, Element, Values};
+use crate::error::{ElementKind, Result};
+use crate::job::{Job, Run, Stage};
+use crate::triangulation::Edges;
+use crate::validation::Validation;
+
+impl PowerCrust {
+    /// Checks that the labels are those of the algorithm, that the surface is closed, that its faces are exactly the power facets between
+    /// inner and outer poles, that no inner pole has an unbounded cell, and that the power
+    /// shapes are those of the labels. Nothing is a matter of coordinates here: the triangulation has
+    /// its own [`validate`](crate::Triangulation::validate). Errors: those of the job. Cost: O(size).
+    pub fn validate(&self, job: &Job) -> Result<Validation> {
+        job.run(&[(Stage::Validate, 1.0)], |run| {
+            run.enter(Stage::Validate)?;
+            let mut report = Validation::new();
+            report.check(
+                self.labels.len() == self.poles.len()
+                    && self.regular.points().row_count() == self.poles.len(),
+                ElementKind::Vertex,
+                self.labels.len() as u64,
+                || "there must be one label, and one row of the triangulation, per pole".into(),
+            );
+            if report.is_valid() {
+                let incidence = self.regular.incidence_in(run)?;
+                let edges = self.regular.edges_in(&incidence, run)?;
+                self.check_labels(&mut report, &edges, run)?;
+                run.enter(Stage::Validate)?;
+                self.check_closed(&mut report, run)?;
+                self.check_faces(&mut report, &edges, run)?;
+                self.check_unbounded(&mut report);
+                self.check_shape(&mut report, &self.inner_shape, Label::Inner, run)?;
+                self.check_shape(&mut report, &self.outer_shape, Label::Outer, run)?;
+            }
+            Ok(report)
+        })
+    }
+
+    /// Labelling once more gives the same labels, those of hidden poles included.
+    fn check_labels(&self, report: &mut Validation, edges: &Edges, run: &Run<'_>) -> Result<()> {
+        let again = label_poles(&self.poles, &self.regular, edges, &self.options, run)?;
+        let pairs = self.labels.iter().zip(&again.labels);
+        for (pole, (label, expected)) in pairs.enumerate() {
+            report.check(label == expected, ElementKind::Vertex, pole as u64, || {
+                format!("it is labelled {label:?}, but the algorithm says {expected:?}")
+            });
+        }
+        Ok(())
+    }
+
+    /// Each directed side of a face occurs once, and so does its reverse.
+    fn check_closed(&self, report: &mut Validation, run: &Run<'_>) -> Result<()> {
+        let mut sides: Vec<(u32, u32, u32)> = Vec::new();
+        for (face, ring) in self.surface.faces().iter().enumerate() {
+            for (i, &from) in ring.iter().enumerate() {
+                sides.push((from, ring[(i + 1) % ring.len()], face as u32));
+            }
+        }
+        run.poll()?;
+        sides.sort_unstable();
+        for (i, &(from, to, face)) in sides.iter().enumerate() {
+            if i % 4096 == 0 {
+                run.tick(i, 2 * sides.len())?;
+            }
+            let begin = sides.partition_point(|side| (side.0, side.1) < (to, from));
+            let reversed =
+                sides[begin..].iter().take_while(|side| (side.0, side.1) == (to, from)).count();
+            report.check(reversed == 1, ElementKind::Face, u64::from(face), || {
+                format!("{reversed} faces meet it along its side from vertex {from} to {to}")
+            });
+        }
+        Ok(())
+    }
+
+    /// Each face lies between an inner and an outer pole, once for each such edge of the
+    /// regular triangulation, and turns round that edge.
+    fn check_faces(&self, report: &mut Validation, edges: &Edges, run: &Run<'_>) -> Result<()> {
+        let indices = |element, name| match self.surface.attribute(element, name)?.values() {
+            Values::U32(values) => Some(values),
+            Values::F64(_) => None,
+        };
+        let (Some(inner), Some(outer), Some(cells)) = (
+            indices(Element::Face, "inner_pole"),
+            indices(Element::Face, "outer_pole"),
+            indices(Element::Vertex, "cell"),
+        ) else {
+            report.check(false, ElementKind::Face, 0, || "its attributes are missing".into());
+            return Ok(());
+        };
+        let vertex_of_pole = self.regular.points().vertex_of_row();
+        let mut separating = Vec::new();
+        for (&[a, b], &cell) in edges.ends.iter().zip(&edges.cells) {
+            let [p, q] = [a, b].map(|v| self.regular.row_of_vertex()[v as usize]);
+            match (self.labels[p as usize], self.labels[q as usize]) {
+                (Label::Inner, Label::Outer) => separating.push((p, q, cell)),
+                (Label::Outer, Label::Inner) => separating.push((q, p, cell)),
+                _ => {}
+            }
+        }
+        let faces = self.surface.faces();
+        report.check(separating.len() == faces.len(), ElementKind::Face, 0, || {
+            format!("{} faces for {} facets between labels", faces.len(), separating.len())
+        });
+        let mut ring = Vec::new();
+        for (face, (&(p, q, cell), row)) in separating.iter().zip(faces.iter()).enumerate() {
+            if face % 1024 == 0 {
+                run.tick(face + faces.len(), 2 * faces.len())?;
+            }
+            let [a, b] = [p, q].map(|pole| vertex_of_pole[pole as usize]);
+            let closed = self.regular.ring(cell, a, b, &mut ring);
+            let right = (inner[face], outer[face]) == (p, q)
+                && closed
+                && row.iter().map(|&v| cells[v as usize]).eq(ring.iter().copied());
+            report.check(right, ElementKind::Face, face as u64, || {
+                format!("it is not the power facet between inner pole {p} and outer pole {q}")
+            });
+        }
+        Ok(())
+    }
+
+    fn check_unbounded(&self, report: &mut Validation) {
+        for pole in unbounded_poles(&self.regular) {
+            let outer = self.labels[pole as usize] == Label::Outer;
+            report.check(outer, ElementKind::Vertex, u64::from(pole), || {
+                "an inner pole has an unbounded power cell".into()
+            });
+        }
+    }
+
+    /// The shape's vertices are the visible poles of its side.
+    fn check_shape(
+        &self,
+        report: &mut Validation,
+        shape: &Complex,
+        side: Label,
+        run: &Run<'_>,
+    ) -> Result<()> {
+        run.poll()?;
+        let mut hidden = vec![false; self.regular.coords().len()];
+        for &vertex in self.regular.hidden() {
+            hidden[vertex as usize] = true;
+        }
+        let rows = self.regular.row_of_vertex().iter().zip(&hidden);
+        let visible =
+            rows.filter(|&(&pole, &hidden)| !hidden && self.labels[pole as usize] == side);
+        let expected = visible.map(|(&pole, _)| pole);
+        let found = match shape.attribute(Element::Vertex, "pole").map(|a| a.values()) {
+            Some(Values::U32(poles)) => poles.iter().copied(),
+            _ => [].iter().copied(),
+        };
+        report.check(expected.eq(found), ElementKind::Vertex, 0, || {
+            format!("the {side:?} power shape is not that of the visible poles")
+        });
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Points;
+    use crate::crust::PowerCrustOptions;
+    use std::sync::Arc;
+
+    /// A cube's surface, sampled on a lattice: ties everywhere, sharp edges.
+    fn crust() -> PowerCrust {
+        let rows = (0..343u32).map(|i| [i % 7, i / 7 % 7, i / 49]);
+        let rows: Vec<[f64; 3]> = rows
+            .filter(|row| row.iter().any(|&x| x == 0 || x == 6))
+            .map(|row| row.map(f64::from))
+            .collect();
+        let points = Points::new(rows.into_iter(), Default::default(), &Job::default()).unwrap();
+        PowerCrust::build(&Arc::new(points), PowerCrustOptions::default(), &Job::default()).unwrap()
+    }
+
+    fn is_valid(crust: &PowerCrust) -> bool {
+        crust.validate(&Job::default()).unwrap().is_valid()
+    }
+
+    #[test]
+    fn one_wrong_label_is_noticed() {
+        let crust = crust();
+        assert!(is_valid(&crust));
+        assert!(crust.labels.contains(&Label::Inner) && crust.labels.contains(&Label::Outer));
+        for pole in 0..crust.labels.len() {
+            let mut crust = crust.clone();
+            crust.labels[pole] = match crust.labels[pole] {
+                Label::Inner => Label::Outer,
+                Label::Outer => Label::Inner,
+            };
+            assert!(!is_valid(&crust), "pole {pole}");
+        }
+    }
+
+    #[test]
+    fn another_surface_or_shape_is_noticed() {
+        let crust = crust();
+        let mut swapped = crust.clone();
+        std::mem::swap(&mut swapped.inner_shape, &mut swapped.outer_shape);
+        assert!(!is_valid(&swapped));
+        let mut empty = crust.clone();
+        empty.surface = Arc::default();
+        assert!(!is_valid(&empty));
+        let faces = crust.surface.faces();
+        for face in 0..faces.len() {
+            let mut torn = crate::complex::Rows::default();
+            for (i, ring) in faces.iter().enumerate() {
+                let mut ring = ring.to_vec();
+                if i == face {
+                    ring.reverse();
+                }
+                torn.push(&ring).unwrap();
+            }
+            let mut crust = crust.clone();
+            let parts = crate::complex::ComplexParts {
+                vertices: crust.surface.vertices().to_vec(),
+                faces: torn,
+                attributes: crust.surface.attributes().to_vec(),
+                ..Default::default()
+            };
+            crust.surface = Arc::new(Complex::new(parts).unwrap());
+            assert!(!is_valid(&crust), "face {face} turned over");
+        }
+    }
+}
