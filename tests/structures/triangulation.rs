@@ -1,12 +1,10 @@
 //! Triangulations against brute force, against themselves under shuffling, and against
 //! `validate`, over every kind of set that breaks triangulators.
 
-mod sets;
-
+use crate::sets::{self, Set};
 use medax::predicates::{Sign, delaunay_conflict, orient3d, regular_conflict};
 use medax::{Job, NONE, Points, Status, Triangulation};
 use proptest::prelude::*;
-use sets::Set;
 use std::sync::Arc;
 
 fn points(rows: &[[f64; 3]]) -> Arc<Points> {
