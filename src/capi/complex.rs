@@ -183,6 +183,10 @@ pub unsafe extern "C" fn medax_complex_create(
             return Err(view::null("parts"));
         }
         let parts = options::read(parts, "parts")?;
+        if !matches!(parts.dimension, 0 | 2 | 3) {
+            let message = format!("the dimension is {}, and must be 2 or 3", parts.dimension);
+            return Err(Error::new(Status::InvalidArgument, message));
+        }
         let kinds = view::slice(parts.cell_types, parts.cell_count, "cell_types")?;
         let attributes = view::slice(parts.attributes, parts.attribute_count, "attributes")?;
         let complex = Complex::new(ComplexParts {

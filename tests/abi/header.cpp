@@ -1,0 +1,6 @@
+/* The header alone in C++, twice: it needs nothing before it, and does not mind being there already. */
+#include <medax.h>
+#include <medax.h>
+
+int medax_header_is_cpp(medax_status status);
+int medax_header_is_cpp(medax_status status) { return status == MEDAX_STATUS_OK; }

@@ -1,0 +1,76 @@
+/* The size of every public struct and the place of every field, as version 0.1 has them on systems
+   with 64-bit pointers. Lines are added for new fields at the end of sized structs, never changed. */
+#include <medax.h>
+#include <stddef.h>
+
+#define SIZE(type, size) _Static_assert(sizeof(type) == (size), "sizeof " #type)
+#define FIELD(type, field, place) \
+    _Static_assert(offsetof(type, field) == (place), #type "." #field)
+
+SIZE(medax_status, 4);
+SIZE(void *, 8);
+
+SIZE(medax_view_f64, 24);
+FIELD(medax_view_f64, data, 0);
+FIELD(medax_view_f64, rows, 8);
+FIELD(medax_view_f64, cols, 16);
+
+SIZE(medax_view_u32, 24);
+FIELD(medax_view_u32, data, 0);
+FIELD(medax_view_u32, rows, 8);
+FIELD(medax_view_u32, cols, 16);
+
+SIZE(medax_view_rows, 24);
+FIELD(medax_view_rows, offsets, 0);
+FIELD(medax_view_rows, indices, 8);
+FIELD(medax_view_rows, rows, 16);
+
+SIZE(medax_job_options, 40);
+FIELD(medax_job_options, struct_size, 0);
+FIELD(medax_job_options, memory_ceiling, 8);
+FIELD(medax_job_options, threads, 16);
+FIELD(medax_job_options, reserved, 20);
+FIELD(medax_job_options, progress, 24);
+FIELD(medax_job_options, payload, 32);
+
+SIZE(medax_validation, 296);
+FIELD(medax_validation, struct_size, 0);
+FIELD(medax_validation, checked, 8);
+FIELD(medax_validation, problems, 16);
+FIELD(medax_validation, first_index, 24);
+FIELD(medax_validation, first_kind, 32);
+FIELD(medax_validation, reserved, 36);
+FIELD(medax_validation, first_message, 40);
+
+SIZE(medax_points_options, 16);
+FIELD(medax_points_options, struct_size, 0);
+FIELD(medax_points_options, skip_non_finite, 8);
+FIELD(medax_points_options, reserved, 12);
+
+SIZE(medax_triangulation_options, 8);
+FIELD(medax_triangulation_options, struct_size, 0);
+
+SIZE(medax_attribute, 64);
+FIELD(medax_attribute, name, 0);
+FIELD(medax_attribute, element, 8);
+FIELD(medax_attribute, value_type, 12);
+FIELD(medax_attribute, f64_values, 16);
+FIELD(medax_attribute, u32_values, 40);
+
+SIZE(medax_complex_parts, 120);
+FIELD(medax_complex_parts, struct_size, 0);
+FIELD(medax_complex_parts, vertices, 8);
+FIELD(medax_complex_parts, vertex_count, 16);
+FIELD(medax_complex_parts, face_offsets, 24);
+FIELD(medax_complex_parts, face_indices, 32);
+FIELD(medax_complex_parts, face_count, 40);
+FIELD(medax_complex_parts, edges, 48);
+FIELD(medax_complex_parts, edge_count, 56);
+FIELD(medax_complex_parts, cell_offsets, 64);
+FIELD(medax_complex_parts, cell_indices, 72);
+FIELD(medax_complex_parts, cell_types, 80);
+FIELD(medax_complex_parts, cell_count, 88);
+FIELD(medax_complex_parts, attributes, 96);
+FIELD(medax_complex_parts, attribute_count, 104);
+FIELD(medax_complex_parts, dimension, 112);
+FIELD(medax_complex_parts, reserved, 116);

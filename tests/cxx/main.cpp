@@ -1,0 +1,216 @@
+// The C++ layer: references, exceptions, views, the progress function.
+#include <medax.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <thread>
+
+medax::Triangulation triangulate_elsewhere(const medax::Points &points);
+
+namespace {
+
+unsigned passed = 0, failed = 0;
+
+void check(bool holds, const char *what, int line) {
+    ++(holds ? passed : failed);
+    if (!holds) std::printf("main.cpp:%d: failed: %s\n", line, what);
+}
+#define CHECK(condition) check((condition), #condition, __LINE__)
+
+/// The error that the call throws; the call must throw one.
+template <class Call>
+medax::Error thrown(Call &&call, int line) {
+    try {
+        call();
+    } catch (const medax::Error &error) {
+        check(true, "throws", line);
+        return error;
+    }
+    check(false, "throws", line);
+    return medax::Error(MEDAX_STATUS_OK);
+}
+#define THROWN(...) thrown([&] { __VA_ARGS__; }, __LINE__)
+
+std::vector<medax::Point> cloud(std::size_t count) {
+    std::uint64_t state = 1;
+    std::vector<medax::Point> points(count);
+    for (medax::Point &point : points)
+        for (double &x : point) {
+            state = state * 6364136223846793005u + 1442695040888963407u;
+            x = static_cast<double>(state >> 11) / 9007199254740992.0;
+        }
+    return points;
+}
+
+const std::vector<medax::Point> corners = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {1, 1, 1}};
+
+void errors() {
+    std::vector<medax::Point> bad = corners;
+    bad[3][1] = std::nan("");
+    const medax::Error error = THROWN(medax::Points::from(bad));
+    CHECK(error.status() == MEDAX_STATUS_NON_FINITE && error.index() == 3);
+    CHECK(error.kind() == MEDAX_ERROR_KIND_ROW && std::strstr(error.what(), "NaN") != nullptr);
+    CHECK(THROWN(medax::Points::from({})).status() == MEDAX_STATUS_TOO_FEW_POINTS);
+    CHECK(std::strcmp(medax::name(error.status()), "MEDAX_STATUS_NON_FINITE") == 0);
+
+    medax::PointsOptions options;
+    options.skip_non_finite = 1;
+    const medax::Points points = medax::Points::from(bad, options);
+    CHECK(points.count() == 4 && points.skipped_count() == 1);
+    CHECK(points.vertex_of_row()[3][0] == medax::none);
+}
+
+void references() {
+    medax::Points first = medax::Points::from(corners);
+    medax::Points second = first;
+    CHECK(first.get() == second.get());
+    medax::Points third = std::move(first);
+    CHECK(third.get() == second.get() && first.get() == nullptr);
+    CHECK(first.coords().empty() && first.count() == 0);
+    CHECK(THROWN(medax::Triangulation::delaunay(first)).status() == MEDAX_STATUS_NULL_ARGUMENT);
+    first = second;
+    second = medax::Points::from(cloud(10));
+    second = std::move(third);
+    CHECK(second.get() == first.get() && second.count() == 5);
+    second = *&second;
+    CHECK(second.count() == 5 && second.bounds().max[0] == 4);
+}
+
+void triangulations() {
+    const medax::Triangulation t = triangulate_elsewhere(medax::Points::from(corners));
+    CHECK(t.cells().rows() == 4 && t.cells().cols() == 4 && t.cells().size() == 16);
+    CHECK(t.points().count() == 5 && t.coords().rows() == 5 && t.hidden().empty());
+    CHECK(t.validate().is_valid());
+    CHECK(t.locate({9, 9, 9}) == medax::none && t.locate({0.5, 0.5, 0.5}) < 4);
+    CHECK(THROWN(t.locate({0, std::nan(""), 0})).status() == MEDAX_STATUS_NON_FINITE);
+    const medax::Incidence incidence = medax::Incidence::of(t);
+    std::size_t around = 0;
+    for (std::size_t v = 0; v < 5; ++v)
+        for (const std::uint32_t cell : incidence.cells_of_vertex()[v]) around += cell < 4;
+    CHECK(around == 16 && incidence.edges().rows() == 10);
+    const auto edge = incidence.edges()[0];
+    const auto ring = t.ring(incidence.cell_of_edge()[0][0], edge[0], edge[1]);
+    CHECK(ring.cells.size() == (ring.closed ? 3 : 2));
+
+    const medax::Points points = t.points();
+    const medax::Triangulation r = medax::Triangulation::regular(points, {0, 0, 0, 0, -100});
+    CHECK(r.cells().rows() == 1 && r.hidden().rows() == 1);
+    CHECK(THROWN(medax::Triangulation::regular(points, {0, 0})).status()
+          == MEDAX_STATUS_MISMATCH);
+
+    // More cells round an edge than the first buffer holds.
+    std::vector<medax::Point> wheel = {{0, 0, 0.01}, {0, 0, -0.01}};
+    for (int i = 0; i < 100; ++i) wheel.push_back({std::cos(0.0628 * i), std::sin(0.0628 * i), 0});
+    const medax::Triangulation w = triangulate_elsewhere(medax::Points::from(wheel));
+    const medax::Incidence spokes = medax::Incidence::of(w);
+    std::size_t longest = 0;
+    for (std::size_t e = 0; e < spokes.edges().rows(); ++e) {
+        const auto ends = spokes.edges()[e];
+        const auto cells = w.ring(spokes.cell_of_edge()[e][0], ends[0], ends[1]).cells;
+        if (cells.size() > longest) longest = cells.size();
+    }
+    CHECK(longest > 32);
+}
+
+void jobs() {
+    struct Stop {};
+    const medax::Points points = medax::Points::from(cloud(20000));
+    const auto run = [&](medax::JobOptions options) {
+        const medax::Job job(std::move(options));
+        medax::Triangulation::delaunay(points, {}, job);
+        return job;
+    };
+    CHECK(run({}).times().size() == 1 && run({}).progress() == 1);
+    CHECK(THROWN(run({0, 1000, nullptr})).status() == MEDAX_STATUS_OUT_OF_MEMORY);
+    const medax::Job spent;
+    spent.cancel();
+    CHECK(spent.is_cancelled());
+    CHECK(THROWN(medax::Points::from(corners, {}, spent)).status() == MEDAX_STATUS_CANCELLED);
+
+    // The callback comes after 50 ms: larger and larger sets until it does.
+    int calls = 0;
+    medax::JobOptions cancel, escape;
+    cancel.progress = [&](double progress, const char *stage) {
+        ++calls;
+        CHECK(progress >= 0 && progress <= 1 && std::strcmp(stage, "triangulate") == 0);
+        return medax::Next::cancel;
+    };
+    escape.progress = [&](double, const char *) -> medax::Next {
+        ++calls;
+        throw Stop();
+    };
+    for (std::size_t count = 20000; count < 10000000; count *= 2) {
+        const medax::Points many = medax::Points::from(cloud(count));
+        const medax::Job job(cancel);
+        try {
+            medax::Triangulation::delaunay(many, {}, job);
+        } catch (const medax::Error &error) {
+            CHECK(error.status() == MEDAX_STATUS_CANCELLED && job.is_cancelled());
+            const medax::Job thrower(escape);
+            const medax::Job copy = thrower;
+            bool stopped = false;
+            try {
+                medax::Triangulation::delaunay(many, {}, copy);
+            } catch (const Stop &) {
+                stopped = true;
+            }
+            CHECK(stopped && thrower.is_cancelled());
+            CHECK(THROWN(medax::Triangulation::delaunay(many, {}, thrower)).status()
+                  == MEDAX_STATUS_CANCELLED);
+            break;
+        }
+    }
+    CHECK(calls == 2);
+}
+
+void complexes() {
+    const std::uint32_t offsets[] = {0, 4}, ring[] = {0, 1, 2, 3};
+    const double xyz[] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+    medax_attribute radius{};
+    radius.name = "radius";
+    radius.f64_values = {xyz, 4, 3};
+    medax::ComplexParts parts;
+    parts.vertices = xyz;
+    parts.vertex_count = 4;
+    parts.face_offsets = offsets;
+    parts.face_indices = ring;
+    parts.face_count = 1;
+    parts.attributes = &radius;
+    parts.attribute_count = 1;
+    const medax::Complex complex = medax::Complex::from(parts);
+    CHECK(complex.faces().rows() == 1 && complex.faces()[0].size() == 4);
+    CHECK(complex.faces().offsets().size() == 2 && complex.faces().indices().size() == 4);
+    CHECK(complex.triangles().rows() == 2 && complex.face_of_triangle()[1][0] == 0);
+    CHECK(complex.vertices()[2][1] == 1 && complex.edges().empty() && complex.cells().empty());
+    const medax::Attribute found = complex.attribute(MEDAX_ELEMENT_VERTEX, std::string("radius"));
+    CHECK(found.f64_values.cols() == 3 && found.u32_values.empty());
+    CHECK(complex.attribute_count() == 1 && std::strcmp(complex.attribute(0).name, "radius") == 0);
+    CHECK(THROWN(complex.attribute(MEDAX_ELEMENT_FACE, "radius")).status()
+          == MEDAX_STATUS_INVALID_ARGUMENT);
+}
+
+void threads() {
+    const medax::Triangulation t = medax::Triangulation::delaunay(medax::Points::from(cloud(500)));
+    std::uint64_t sums[2] = {0, 0};
+    const auto read = [](medax::Triangulation copy, std::uint64_t &sum) {
+        for (const std::uint32_t v : copy.cells()) sum = sum * 31 + v;
+    };
+    std::thread other(read, t, std::ref(sums[0]));
+    read(t, sums[1]);
+    other.join();
+    CHECK(sums[0] == sums[1]);
+}
+
+}  // namespace
+
+int main() {
+    errors();
+    references();
+    triangulations();
+    jobs();
+    complexes();
+    threads();
+    std::printf("%u passed, %u failed\n", passed, failed);
+    return failed == 0 ? 0 : 1;
+}
