@@ -27,6 +27,7 @@ pub mod predicates;
 pub mod sample;
 pub mod triangulation;
 mod validation;
+mod vector;
 
 pub use complex::Complex;
 pub use crust::PowerCrust;
