@@ -1,10 +1,30 @@
 //! The one output type: vertices, polygons, loose edges, volume cells, named attributes.
 
 mod attribute;
+mod closest;
+mod compare;
+mod disjoint;
+mod forest;
+mod homology;
+mod measure;
+mod orient;
+mod rows;
+mod skeleton;
+mod surface;
+mod topology;
+mod validate;
 
 pub use attribute::{Attribute, Element, Values};
+pub use compare::{CompareOptions, Comparison, Distances, compare};
+pub use measure::Measure;
+pub use rows::Rows;
+pub use topology::Topology;
 
 use crate::error::{ElementKind, Error, Result, Status};
+use validate::{cell_problem, edge_problem, face_problem, vertex_problem};
+
+/// A position in space.
+type Point = [f64; 3];
 
 /// The shape of a volume cell. The numbers are the C ABI's; the order of the vertices is VTK's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -18,81 +38,11 @@ pub enum CellType {
     PolygonalPyramid = 3,
 }
 
-/// Rows of varying length in two flat arrays: row `i` is `indices[offsets[i]..offsets[i + 1]]`.
-///
-/// Invariant: `offsets` starts with 0, never falls, and ends with `indices.len()`.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Rows {
-    offsets: Vec<u32>,
-    indices: Vec<u32>,
-}
-
-impl Default for Rows {
-    fn default() -> Self {
-        Rows { offsets: vec![0], indices: Vec::new() }
-    }
-}
-
-impl Rows {
-    /// The given arrays, if they keep the invariant.
-    pub fn new(offsets: Vec<u32>, indices: Vec<u32>) -> Result<Self> {
-        let sound = offsets.first() == Some(&0)
-            && offsets.windows(2).all(|pair| pair[0] <= pair[1])
-            && offsets.last().map(|&last| last as usize) == Some(indices.len());
-        if !sound {
-            return Err(Error::new(
-                Status::InvalidArgument,
-                "row offsets must start at 0, never fall, and end at the number of indices",
-            ));
-        }
-        Ok(Rows { offsets, indices })
-    }
-
-    /// Appends one row. Errors: [`Status::LimitExceeded`] past 2^32 - 1 indices.
-    pub fn push(&mut self, row: &[u32]) -> Result<()> {
-        let end = u32::try_from(self.indices.len() + row.len())
-            .map_err(|_| Error::new(Status::LimitExceeded, "more than 2^32 - 1 indices"))?;
-        self.indices.extend_from_slice(row);
-        self.offsets.push(end);
-        Ok(())
-    }
-
-    /// The number of rows.
-    pub fn len(&self) -> usize {
-        self.offsets.len() - 1
-    }
-
-    /// Whether there is no row.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
-    /// Row `i`.
-    pub fn row(&self, i: usize) -> &[u32] {
-        &self.indices[self.offsets[i] as usize..self.offsets[i + 1] as usize]
-    }
-
-    /// Every row in order.
-    pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> {
-        (0..self.len()).map(|i| self.row(i))
-    }
-
-    /// Where each row begins; one more entry than rows.
-    pub fn offsets(&self) -> &[u32] {
-        &self.offsets
-    }
-
-    /// All rows, one after the other.
-    pub fn indices(&self) -> &[u32] {
-        &self.indices
-    }
-}
-
 /// Vertices, faces, loose edges and volume cells, with named attributes on each.
 ///
-/// Invariants: every index is below the number of vertices; a face has at least three vertices,
-/// and no vertex twice in succession; a cell has as many vertices as its type asks for; an
-/// attribute has one row per element; `triangles` covers each face with a fan from its first vertex, and
+/// Invariants: every coordinate is finite, every index below the number of vertices; a face has at
+/// least three vertices, and no vertex twice in succession; a cell has as many vertices as its type
+/// asks for, all different; an attribute has one row per element; `triangles` covers each face with a fan from its first vertex, and
 /// `face_of_triangle` says which. Faces of a solid's surface are oriented outward, those of
 /// voids included. Elements are told apart by their indices, never by where they lie.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -130,8 +80,9 @@ pub struct ComplexParts {
 impl Complex {
     /// Checks the parts and derives the triangles.
     ///
-    /// Errors: [`Status::InvalidArgument`] or [`Status::Mismatch`] with the offending face, edge or
-    /// cell; [`Status::LimitExceeded`] past 2^32 - 1 elements.
+    /// Errors: [`Status::NonFinite`] with the vertex, [`Status::InvalidArgument`] with the offending
+    /// vertex, face, edge or cell, [`Status::Mismatch`] where arrays differ in length,
+    /// [`Status::LimitExceeded`] past 2^32 - 2 elements.
     pub fn new(parts: ComplexParts) -> Result<Self> {
         let ComplexParts { dimension, vertices, faces, edges, cells, cell_types, attributes } =
             parts;
@@ -139,41 +90,34 @@ impl Complex {
         if [vertices.len(), faces.len(), edges.len(), cells.len()].iter().any(|&n| n >= limit) {
             return Err(Error::new(Status::LimitExceeded, "more than 2^32 - 2 elements"));
         }
-        let count = vertices.len();
-        let known = |row: &[u32]| row.iter().all(|&v| (v as usize) < count);
-        for (i, face) in faces.iter().enumerate() {
-            let repeats = (0..face.len()).any(|k| face[k] == face[(k + 1) % face.len()]);
-            if face.len() < 3 || repeats || !known(face) {
-                return Err(Error::new(
-                    Status::InvalidArgument,
-                    "a face needs three known vertices or more, none twice in succession",
-                )
-                .at(ElementKind::Face, i as u64));
-            }
-        }
-        if let Some(i) = edges.iter().position(|edge| edge[0] == edge[1] || !known(edge)) {
-            return Err(Error::new(Status::InvalidArgument, "an edge needs two known vertices")
-                .at(ElementKind::Edge, i as u64));
-        }
         if cells.len() != cell_types.len() {
             return Err(Error::new(Status::Mismatch, "cells and cell types differ in number"));
         }
-        for (i, (cell, kind)) in cells.iter().zip(&cell_types).enumerate() {
-            let fits = match kind {
-                CellType::Tetrahedron => cell.len() == 4,
-                CellType::Pyramid => cell.len() == 5,
-                CellType::PolygonalPyramid => cell.len() >= 4,
-            };
-            if !fits || !known(cell) {
-                return Err(Error::new(
-                    Status::InvalidArgument,
-                    "a cell needs as many known vertices as its type asks for",
-                )
-                .at(ElementKind::Cell, i as u64));
+        let dimension = if dimension == 2 { 2 } else { 3 };
+        let refuse = |kind, i: usize, problem: Option<&'static str>| match problem {
+            Some(problem) => {
+                let finite =
+                    kind != ElementKind::Vertex || vertices[i].iter().all(|x| x.is_finite());
+                let status = if finite { Status::InvalidArgument } else { Status::NonFinite };
+                Err(Error::new(status, problem).at(kind, i as u64))
             }
+            None => Ok(()),
+        };
+        let count = vertices.len();
+        for (i, p) in vertices.iter().enumerate() {
+            refuse(ElementKind::Vertex, i, vertex_problem(p, dimension))?;
+        }
+        for (i, face) in faces.iter().enumerate() {
+            refuse(ElementKind::Face, i, face_problem(face, count))?;
+        }
+        for (i, &edge) in edges.iter().enumerate() {
+            refuse(ElementKind::Edge, i, edge_problem(edge, count))?;
+        }
+        for (i, (cell, &kind)) in cells.iter().zip(&cell_types).enumerate() {
+            refuse(ElementKind::Cell, i, cell_problem(cell, kind, count))?;
         }
         let mut complex = Complex {
-            dimension: if dimension == 2 { 2 } else { 3 },
+            dimension,
             vertices,
             faces,
             edges,
@@ -194,12 +138,7 @@ impl Complex {
             }
         }
         complex.attributes = attributes;
-        for (i, face) in complex.faces.iter().enumerate() {
-            for k in 1..face.len() - 1 {
-                complex.triangles.push([face[0], face[k], face[k + 1]]);
-                complex.face_of_triangle.push(i as u32);
-            }
-        }
+        (complex.triangles, complex.face_of_triangle) = fans(&complex.faces);
         Ok(complex)
     }
 
@@ -262,4 +201,20 @@ impl Complex {
             Element::Cell => self.cells.len(),
         }
     }
+}
+
+/// The triangles of every face, and the face of each.
+fn fans(faces: &Rows) -> (Vec<[u32; 3]>, Vec<u32>) {
+    let count = faces.indices().len() - 2 * faces.len();
+    let (mut triangles, mut face_of) = (Vec::with_capacity(count), Vec::with_capacity(count));
+    for (i, face) in faces.iter().enumerate() {
+        triangles.extend(fan(face));
+        face_of.extend(std::iter::repeat_n(i as u32, face.len() - 2));
+    }
+    (triangles, face_of)
+}
+
+/// The triangles of a fan from the first vertex of a face.
+fn fan(face: &[u32]) -> impl Iterator<Item = [u32; 3]> {
+    (2..face.len()).map(|k| [face[0], face[k - 1], face[k]])
 }
