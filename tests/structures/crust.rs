@@ -1,0 +1,164 @@
+//! Power crusts of shapes whose answer is known, and of sets that have none.
+
+use crate::sets::{self, Random, Set};
+use medax::crust::{Label, PowerCrustOptions};
+use medax::{Job, Points, PowerCrust, Status};
+use std::sync::Arc;
+
+fn points(rows: &[[f64; 3]]) -> Arc<Points> {
+    Arc::new(Points::new(rows.iter().copied(), Default::default(), &Job::default()).unwrap())
+}
+
+fn crust(rows: &[[f64; 3]]) -> PowerCrust {
+    let options = PowerCrustOptions::default();
+    PowerCrust::build(&points(rows), options, &Job::default()).unwrap()
+}
+
+fn assert_valid(crust: &PowerCrust, name: &str) {
+    let job = Job::default();
+    let report = crust.validate(&job).unwrap();
+    assert!(report.is_valid(), "{name}: {report:?}");
+    let report = crust.regular().validate(&job).unwrap();
+    assert!(report.is_valid(), "{name}: {report:?}");
+}
+
+/// A torus about the z axis, on a grid of angles that are slightly stirred.
+fn torus(major: f64, minor: f64, steps: (u32, u32)) -> Vec<[f64; 3]> {
+    let mut random = Random(3);
+    let mut rows = Vec::new();
+    for i in 0..steps.0 {
+        for j in 0..steps.1 {
+            let turn = |i: u32, n: u32, r: &mut Random| {
+                std::f64::consts::TAU * (f64::from(i) + 0.3 * r.unit()) / f64::from(n)
+            };
+            let (u, v) = (turn(i, steps.0, &mut random), turn(j, steps.1, &mut random));
+            let r = major + minor * v.cos();
+            rows.push([r * u.cos(), r * u.sin(), minor * v.sin()]);
+        }
+    }
+    rows
+}
+
+#[test]
+fn a_sphere_comes_out_round() {
+    let mut random = Random(11);
+    let rows: Vec<_> = (0..2000).map(|_| random.sphere()).collect();
+    let crust = crust(&rows);
+    assert_valid(&crust, "sphere");
+    let topology = crust.surface().topology(&Job::default()).unwrap();
+    assert!(topology.closed);
+    assert_eq!((topology.components, topology.genus), (1, Some(0)));
+    for p in crust.surface().vertices() {
+        let r = p.iter().map(|x| x * x).sum::<f64>().sqrt();
+        assert!((0.97..1.03).contains(&r), "{p:?}");
+    }
+    // Inner poles crowd at the centre, outer ones keep away from the sphere.
+    for (ball, label) in crust.poles().balls().iter().zip(crust.labels()) {
+        let r = ball[..3].iter().map(|x| x * x).sum::<f64>().sqrt();
+        assert_eq!(*label == Label::Inner, r < 1.0, "{ball:?}");
+        assert!(*label == Label::Outer || r < 0.2, "{ball:?}");
+    }
+}
+
+#[test]
+fn a_torus_keeps_its_hole() {
+    let rows = torus(2.0, 0.7, (90, 40));
+    let crust = crust(&rows);
+    assert_valid(&crust, "torus");
+    let topology = crust.surface().topology(&Job::default()).unwrap();
+    assert!(topology.closed);
+    assert_eq!((topology.components, topology.genus), (1, Some(1)));
+    // The medial axis of the solid torus is the circle of radius 2, its balls have radius 0.7.
+    for p in crust.inner_shape().vertices() {
+        let off = (p[0].hypot(p[1]) - 2.0).hypot(p[2]);
+        assert!(off < 0.15, "{p:?} lies {off} from the axis");
+    }
+    let inner = crust.inner_shape().topology(&Job::default()).unwrap();
+    assert_eq!(inner.components, 1);
+}
+
+#[test]
+fn two_spheres_one_within_the_other_are_a_shell() {
+    let mut random = Random(5);
+    let mut rows: Vec<_> = (0..3000).map(|_| random.sphere()).collect();
+    rows.extend((0..1500).map(|_| random.sphere().map(|x| 0.5 * x)));
+    let crust = crust(&rows);
+    assert_valid(&crust, "shell");
+    let topology = crust.surface().topology(&Job::default()).unwrap();
+    assert_eq!((topology.components, topology.genus), (2, Some(0)));
+    // The void is outside: the pole at the common centre is outer.
+    for (ball, label) in crust.poles().balls().iter().zip(crust.labels()) {
+        let r = ball[..3].iter().map(|x| x * x).sum::<f64>().sqrt();
+        assert_eq!(*label == Label::Inner, (0.5..1.0).contains(&r), "{ball:?}");
+    }
+}
+
+#[test]
+fn every_kind_of_set_gives_a_closed_surface() {
+    for Set { name, rows } in sets::all(300) {
+        let crust = crust(&rows);
+        assert_valid(&crust, name);
+        let topology = crust.surface().topology(&Job::default()).unwrap();
+        let empty = crust.surface().faces().is_empty();
+        assert!(topology.closed || empty, "{name}: {topology:?}");
+        assert_eq!(topology.nonmanifold_edges, 0, "{name}");
+        assert_eq!(topology.nonmanifold_vertices, 0, "{name}");
+    }
+}
+
+#[test]
+fn the_order_of_rows_decides_nothing() {
+    for Set { name, rows } in sets::all(250) {
+        let first = crust(&rows);
+        let order = sets::shuffled(rows.len(), 9);
+        let second = crust(&order.iter().map(|&i| rows[i]).collect::<Vec<_>>());
+        assert!(first.poles().balls() == second.poles().balls(), "{name}");
+        assert!(first.labels() == second.labels(), "{name}");
+        assert!(first.surface() == second.surface(), "{name}");
+        assert!(first.inner_shape() == second.inner_shape(), "{name}");
+        assert!(first.outer_shape() == second.outer_shape(), "{name}");
+    }
+}
+
+#[test]
+fn scaling_by_a_power_of_two_scales_the_surface() {
+    let rows = torus(2.0, 0.75, (40, 24));
+    let first = crust(&rows);
+    let second = crust(&rows.iter().map(|p| p.map(|x| 4.0 * x)).collect::<Vec<_>>());
+    assert!(first.labels() == second.labels());
+    assert!(first.surface().faces() == second.surface().faces());
+    let scaled: Vec<_> = first.surface().vertices().iter().map(|p| p.map(|x| 4.0 * x)).collect();
+    assert!(scaled == second.surface().vertices());
+}
+
+#[test]
+fn moving_keeps_the_topology() {
+    // Centres are rounded where they lie, so that moving may turn the clusters of power vertices
+    // in the samples about, but nothing that can be seen.
+    let rows = torus(2.0, 0.75, (60, 30));
+    let moved: Vec<_> = rows.iter().map(|&[x, y, z]| [x + 100.0, y - 7.0, z + 0.3]).collect();
+    let (first, second) = (crust(&rows), crust(&moved));
+    let topology = |crust: &PowerCrust| crust.surface().topology(&Job::default()).unwrap();
+    assert_eq!(topology(&first).genus, Some(1));
+    assert_eq!(topology(&second).genus, Some(1));
+    assert_eq!(first.poles().len(), second.poles().len());
+    let inner = |crust: &PowerCrust| crust.labels().iter().filter(|l| **l == Label::Inner).count();
+    assert_eq!(inner(&first), inner(&second));
+}
+
+#[test]
+fn bad_input_is_an_error() {
+    let build = |rows: &[[f64; 3]], deep| {
+        let options = PowerCrustOptions { deep };
+        PowerCrust::build(&points(rows), options, &Job::default()).unwrap_err().status()
+    };
+    let plane: Vec<_> = (0..60).map(|i| [f64::from(i % 8), f64::from(i / 8), 0.0]).collect();
+    assert_eq!(build(&plane, 0.4), Status::Degenerate);
+    assert_eq!(build(&plane[..3], 0.4), Status::TooFewPoints);
+    let solid = torus(2.0, 0.7, (9, 6));
+    for deep in [-0.1, 1.1, f64::NAN] {
+        assert_eq!(build(&solid, deep), Status::InvalidArgument);
+    }
+    let huge: Vec<_> = solid.iter().map(|p| p.map(|x| x * 2f64.powi(198))).collect();
+    assert_eq!(build(&huge, 0.4), Status::CoordinateRange);
+}
