@@ -216,7 +216,7 @@ std::vector<Cloud> plain_clouds() {
         {"clustered", clustered(50, 200, 1e-4, 2), {}},
         {"clusters in clusters", clustered(20, 200, 1e-9, 3), {}},
         {"sphere", sphere(10000, 4), {}},
-        {"torus", torus(10000, 5), {}},
+        {"torus", torus(3000, 5), {}},
         {"lattice", lattice(20), {}},
         {"lattice in tenths", map(lattice(16), 0.1, {0, 0, 0}), {}},
         {"lattice shaken by ulps", shaken_lattice(12, 6), {}},
@@ -234,7 +234,7 @@ std::vector<Cloud> plain_clouds() {
     for (double scale : {1e-9, 1e9}) {
         std::string at = scale < 1 ? " x 1e-9" : " x 1e9";
         clouds.push_back({"random" + at, map(random, scale, {0, 0, 0}), {}});
-        clouds.push_back({"torus" + at, map(torus(5000, 12), scale, {0, 0, 0}), {}});
+        clouds.push_back({"torus" + at, map(torus(1500, 12), scale, {0, 0, 0}), {}});
         clouds.push_back({"lattice" + at, map(lattice(12), scale, {0, 0, 0}), {}});
         clouds.push_back({"cospherical" + at, map(cospherical(2025), scale, {0, 0, 0}), {}});
     }

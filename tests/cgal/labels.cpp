@@ -83,8 +83,8 @@ Crust power_crust(const Balls& balls, const Triangulation& regular, double deep)
     std::vector<std::vector<Link>> same(count), opposite(count);
     const std::vector<Edge> edges = edges_of(regular.cells);
     for (const auto& [p, q] : edges) {
-        double cosine = (balls.weights[p] + balls.weights[q] - squared_distance(balls.centres[p], balls.centres[q])) /
-                        (2 * std::sqrt(balls.weights[p]) * std::sqrt(balls.weights[q]));
+        const double r = balls.radii[p], t = balls.radii[q];
+        double cosine = (r * r + t * t - squared_distance(balls.centres[p], balls.centres[q])) / (2 * r * t);
         double weight = std::clamp(cosine, -1.0, 1.0);
         if (!(weight > deep)) continue;
         same[p].push_back({q, weight});
@@ -103,18 +103,18 @@ Crust power_crust(const Balls& balls, const Triangulation& regular, double deep)
     Queue queue(count);
     for (std::uint32_t p = 0; p < count; ++p)
         if (balls.seed[p]) queue.raise(queue.out, p, 1);
-    const std::vector<bool> open = unbounded(count, regular.cells);
     while (!queue.empty()) {
         const std::uint32_t p = queue.pop();
-        bool inner = queue.in[p] > queue.out[p];
+        const bool inner = queue.in[p] > queue.out[p];
         const double belief = std::max(queue.in[p], queue.out[p]);
-        if (inner && open[p]) {
-            inner = false;
-            ++crust.forced;
-        }
         crust.inner[p] = inner;
         for (const Link& link : opposite[p]) queue.raise(inner ? queue.out : queue.in, link.to, belief * link.weight);
         for (const Link& link : same[p]) queue.raise(inner ? queue.in : queue.out, link.to, belief * link.weight);
+    }
+    const std::vector<bool> open = unbounded(count, regular.cells);
+    for (std::uint32_t p = 0; p < count; ++p) {
+        crust.forced += open[p] && crust.inner[p];
+        crust.inner[p] = crust.inner[p] && !open[p];
     }
     for (const auto& [p, q] : edges)
         if (crust.inner[p] != crust.inner[q])

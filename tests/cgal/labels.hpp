@@ -11,7 +11,7 @@ namespace reference {
 
 struct Balls {
     std::vector<Point> centres;
-    std::vector<double> weights;                               // squared radii
+    std::vector<double> radii;
     std::vector<Point> samples;
     std::vector<std::array<std::uint32_t, 2>> pole_of_sample;  // rows of balls, or none
     std::vector<bool> seed;                                    // touches a corner of the far box

@@ -29,21 +29,22 @@ Triangulation regular(const std::vector<Point>& rows, const std::vector<double>&
 // The sign of the determinant of q - p, r - p, s - p, exactly.
 int orientation(const Point& p, const Point& q, const Point& r, const Point& s);
 
-// Voronoi vertices and poles, decided with exact constructions.
+// Voronoi vertices and poles, from exact circumcentres.
 struct Poles {
-    std::vector<Cell> cells;                    // the Delaunay cells, sorted
+    std::vector<Point> centre;                  // of each cell, every coordinate the nearest double
+    std::vector<double> radius_squared;         // of each cell, the nearest double
     std::vector<std::uint32_t> vertex_of_cell;  // the least cell of the same circumcentre
-    // The Voronoi vertices (as least cells) that are a sample's first and second pole, or none. A
-    // sample on the hull has its first pole at infinity: both are left none.
+    // The Voronoi vertices (as least cells) that are the first and the second pole of each of the first
+    // `sample_count` points, or none.
     std::vector<std::array<std::uint32_t, 2>> pole_of_sample;
-    std::vector<bool> on_hull;
+    // First poles that another Voronoi vertex beats by less than a double can tell.
+    std::size_t near_ties = 0;
 };
 
-// The poles of distinct points: the farthest Voronoi vertex, then the farthest one whose vector has
-// a negative scalar product with the first; equally far ones by their coordinates, least first.
-Poles poles(const std::vector<Point>& points);
-
-// Whether `centre` is the circumcentre of the cell, each coordinate one of the two doubles about it.
-bool is_circumcentre(const std::vector<Point>& points, const Cell& cell, const Point& centre);
+// The poles of the first `sample_count` points, none of them on the hull: the farthest Voronoi
+// vertex, then the farthest one at an obtuse angle to it. Distances are compared as the nearest doubles of
+// their exact squares, equal ones by the coordinates of the centres, least first, then by cell. `cells`
+// are those of the Delaunay triangulation.
+Poles poles(const std::vector<Point>& points, std::size_t sample_count, const std::vector<Cell>& cells);
 
 }  // namespace reference

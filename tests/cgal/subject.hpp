@@ -25,4 +25,24 @@ struct Triangulation {
 Triangulation delaunay(const std::vector<Point>& rows);
 Triangulation regular(const std::vector<Point>& rows, const std::vector<double>& weights);
 
+// A power crust with what it was made from. Poles are numbered by medax.
+struct Crust {
+    std::size_t sample_count = 0;
+    std::vector<Point> vertices;  // the samples, then the far box
+    std::vector<std::array<std::uint32_t, 4>> cells;
+    std::vector<std::array<double, 4>> balls;
+    std::vector<double> radii_squared;
+    std::vector<std::uint32_t> cell_of_pole;
+    std::vector<std::array<std::uint32_t, 2>> pole_of_sample;
+    std::vector<std::array<std::uint32_t, 4>> regular_cells;  // of vertices
+    std::vector<std::uint32_t> pole_of_vertex;
+    std::vector<bool> inner;  // one a pole
+    std::size_t forced = 0;
+    std::vector<std::array<std::uint32_t, 2>> facets;  // (inner pole, outer pole), one a face
+    std::vector<Point> surface_vertices;
+    std::vector<std::array<std::uint32_t, 3>> surface_triangles;
+};
+
+Crust power_crust(const std::vector<Point>& rows);
+
 }  // namespace subject

@@ -1,2 +1,0 @@
-#include <medax.hpp>
-int main() { return 0; }
