@@ -66,7 +66,8 @@ impl PowerCrust {
     pub fn build(points: &Arc<Points>, options: PowerCrustOptions, job: &Job) -> Result<Self> {
         let plan = [
             (Stage::Triangulate, 0.2),
-            (Stage::Poles, 0.1),
+            (Stage::Dual, 0.06),
+            (Stage::Poles, 0.04),
             (Stage::Order, 0.05),
             (Stage::Regular, 0.45),
             (Stage::Label, 0.1),

@@ -4,14 +4,18 @@
 //! D = b . (c x d), N = B (c x d) + C (d x b) + D' (b x c), and B = |b|² + w_a - w_b and so on. Three
 //! stages give the f64 nearest to each coordinate and to the squared radius |N / 2D|² - w_a:
 //!
-//! 1. double-double arithmetic with an error bound; taken where every number within the bound
+//! 1. arithmetic in pairs of floats with an error bound; taken where every number within the bound
 //!    rounds to the same f64 (Ziv 1991);
 //! 2. a grid: where a result lies half way between two f64, or is 0, no error bound helps, but on
 //!    lattices the result is a short number, and one can prove that it is right (`exact.rs`);
 //! 3. integers of any size (`exact.rs`).
 
-use super::double_double::{Dd, two_sum};
 use super::exact;
+use crate::predicates::double_double::Pairs;
+use std::array::from_fn;
+
+/// Four points.
+type Cell = [[f64; 3]; 4];
 
 /// Where the power distances to four vertices agree, and what they are there.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,9 +32,10 @@ pub struct Center {
 /// Every number is the f64 nearest to the exact one, or the largest finite f64 of its sign where the
 /// exact one is larger still. So the result does not depend on the order of the points. The
 /// coordinates must be finite. Cost: less than a microsecond; some ten where the points are so nearly
-/// coplanar, or so far apart in scale, that double-double arithmetic does not suffice.
+/// coplanar, or so far apart in scale, that pairs of floats do not suffice.
 pub fn circumcenter(points: [[f64; 3]; 4]) -> Option<Center> {
-    solve(points, None, points[0])
+    let [center] = centers([points], None);
+    center
 }
 
 /// The centre and squared radius of the sphere orthogonal to four weighted points: the point x where
@@ -38,31 +43,54 @@ pub fn circumcenter(points: [[f64; 3]; 4]) -> Option<Center> {
 ///
 /// See [`circumcenter`]; the weights must be finite too.
 pub fn orthocenter(points: [[f64; 3]; 4], weights: [f64; 4]) -> Option<Center> {
-    solve(points, Some(weights), points[0])
+    let [center] = centers([points], Some([weights]));
+    center
 }
 
-/// The centre with the first point taken for `base`, and the squared radius.
-fn solve(points: [[f64; 3]; 4], weights: Option<[f64; 4]>, base: [f64; 3]) -> Option<Center> {
-    quickly(points, weights, base).or_else(|| exact::by_integers(points, weights, base))
+/// The centre of a cell less its first point, each coordinate rounded once; see [`circumcenter`].
+pub(crate) fn offset(cell: Cell) -> Option<[f64; 3]> {
+    let [center] = solve([cell], None, [[0.0; 3]]);
+    center.map(|center| center.position)
 }
 
-/// The first two stages; `None` where they do not suffice.
-fn quickly(points: [[f64; 3]; 4], weights: Option<[f64; 4]>, base: [f64; 3]) -> Option<Center> {
-    let estimate = Estimate::new(points, weights)?;
-    estimate.center(base).or_else(|| {
-        let offset = estimate.offset.map(|x| x.scaled(1.0 / estimate.scale));
-        exact::on_grid(points, weights, base, offset)
-    })
+/// The centres of `L` cells at once; see [`orthocenter`].
+#[inline]
+pub(super) fn centers<const L: usize>(
+    cells: [Cell; L],
+    weights: Option<[[f64; 4]; L]>,
+) -> [Option<Center>; L] {
+    solve(cells, weights, cells.map(|cell| cell[0]))
 }
 
-/// 2^-106, the square of the rounding unit.
+/// The centres with the first points taken for `bases`, and the squared radii.
+#[inline]
+fn solve<const L: usize>(
+    cells: [Cell; L],
+    weights: Option<[[f64; 4]; L]>,
+    bases: [[f64; 3]; L],
+) -> [Option<Center>; L] {
+    let estimates = Estimates::new(cells, weights);
+    let mut centers = estimates.centers(bases);
+    for (l, center) in centers.iter_mut().enumerate() {
+        if center.is_none() {
+            let weights = weights.map(|weights| weights[l]);
+            *center = estimates
+                .offset(l)
+                .and_then(|offset| exact::on_grid(cells[l], weights, bases[l], offset))
+                .or_else(|| exact::by_integers(cells[l], weights, bases[l]));
+        }
+    }
+    centers
+}
+
+/// 2^-106, the square of the rounding unit u.
 const UNIT_SQUARED: f64 = power_of_two(-106);
 /// Where the largest coordinate difference lies between these two, nothing is scaled.
 const NATURAL: [f64; 2] = [power_of_two(-60), power_of_two(60)];
 /// Where it lies between these two, scaling keeps everything in range.
 const SCALABLE: [f64; 2] = [power_of_two(-500), power_of_two(500)];
-/// The largest difference of weights, after scaling.
-const WEIGHT_LIMIT: f64 = power_of_two(250);
+/// The largest lift, |b|² + |w_a - w_b|, and the largest weight, after scaling.
+const LIFT_LIMIT: f64 = power_of_two(250);
 /// More than all that underflow can add. An operation that underflows is wrong by 2^-1074; further
 /// factors are below 2^252 (a lift) and 2^125 (a cross product), and there are fewer than 2^8.
 const UNDERFLOW: f64 = power_of_two(-680);
@@ -74,134 +102,184 @@ pub(super) const fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits(((1023 + exponent) as u64) << 52)
 }
 
-/// N / 2D in double-double arithmetic, with error bounds, all of it scaled by a power of two.
-struct Estimate {
-    offset: [Dd; 3],
-    error: [f64; 3],
-    /// The weight of the first point, times the square of `scale`.
-    weight: f64,
-    scale: f64,
+/// N / 2D of `L` cells in pairs of floats, with error bounds, all of it scaled by powers of two.
+struct Estimates<const L: usize> {
+    /// Normalised.
+    offset: [Pairs<L>; 3],
+    error: [[f64; L]; 3],
+    /// The weights of the first points, times the squares of `scale`.
+    weight: [f64; L],
+    scale: [f64; L],
+    /// Whether the sign of the determinant is certain, and everything is in range.
+    certain: [bool; L],
 }
 
-impl Estimate {
-    /// `None` where the sign of the determinant is not certain, or something is out of range.
-    ///
-    /// The bounds: let every operation be wrong by at most 8u² times the same operation on absolute
-    /// values (`double_double.rs`), and let k(z) count operations: 0 for an exact z, the larger
-    /// one plus 1 for a sum, the sum plus 1 for a product. By induction the computed z is wrong by
-    /// at most ((1 + 8u²)^k - 1) times its size, the same formula on absolute values. A difference of
-    /// coordinates or weights has k = 0, an entry of a cross product 2, a lift 4, the
-    /// determinant 5, an entry of N 9. So D is wrong by 40u² and N by 72u² times their sizes,
-    /// which are computed in f64 here; 48 and 80 leave room for the rounding of the sizes.
-    fn new([a, b, c, d]: [[f64; 3]; 4], weights: Option<[f64; 4]>) -> Option<Estimate> {
-        let mut edges = [b, c, d].map(|p| difference(p, a));
-        let largest = edges.iter().flatten().fold(0.0, |m: f64, x| m.max(x.hi.abs()));
-        let within = |range: [f64; 2]| largest >= range[0] && largest <= range[1];
-        let scale = match within(NATURAL) {
-            true => 1.0,
-            false if within(SCALABLE) => power_of_two(1023 - (largest.to_bits() >> 52) as i32),
-            false => return None,
-        };
-        if scale != 1.0 {
+impl<const L: usize> Estimates<L> {
+    /// The bounds, in the terms of `predicates/double_double.rs`: differences are 1-loose with error
+    /// 0, products of two (3, 8), entries of a cross product (4, 15), lifts (5, 24), with a
+    /// difference of weights (6, 35), the determinant (8, 63), an entry of N (13, 153). So D is
+    /// wrong by 63u² and N by 153u² times their sizes, the same formulas on absolute values, which are
+    /// calculated in floats here; 66 and 160 leave room for the rounding of the sizes.
+    #[inline(always)]
+    fn new(cells: [Cell; L], weights: Option<[[f64; 4]; L]>) -> Self {
+        let place = |p: usize, k: usize| from_fn(|l| cells[l][p][k]);
+        let mut edges: [[Pairs<L>; 3]; 3] =
+            from_fn(|i| from_fn(|k| Pairs::difference(place(i + 1, k), place(0, k))));
+        let largest: [f64; L] =
+            from_fn(|l| edges.iter().flatten().fold(0.0, |most: f64, x| most.max(x.hi[l].abs())));
+        let within = |l: usize, range: [f64; 2]| largest[l] >= range[0] && largest[l] <= range[1];
+        let mut certain = [true; L];
+        let mut scale = [1.0; L];
+        if !(0..L).all(|l| within(l, NATURAL)) {
+            for l in 0..L {
+                certain[l] = within(l, SCALABLE);
+                if certain[l] && !within(l, NATURAL) {
+                    scale[l] = power_of_two(1023 - (largest[l].to_bits() >> 52) as i32);
+                }
+            }
             edges = edges.map(|edge| edge.map(|x| x.scaled(scale)));
         }
-        let sizes = edges.map(|edge| edge.map(|x| x.hi.abs()));
-        let mut lifts = edges.map(|edge| dot(edge, edge));
+        let mut lifts = edges.each_ref().map(|edge| dot(edge, edge));
         let mut lift_sizes = lifts.map(|lift| lift.hi);
-        let mut weight = 0.0;
+        let mut weight = [0.0; L];
         if let Some(weights) = weights {
-            weight = weights[0] * scale * scale;
+            let place = |p: usize| from_fn(|l| weights[l][p]);
+            weight = from_fn(|l| weights[l][0] * scale[l] * scale[l]);
             for i in 0..3 {
-                let gap = Dd::difference(weights[0], weights[i + 1]).scaled(scale).scaled(scale);
-                lifts[i] = lifts[i].plus(gap);
-                lift_sizes[i] += gap.hi.abs();
-            }
-            if !(weight.abs() <= WEIGHT_LIMIT && lift_sizes.iter().all(|&s| s <= WEIGHT_LIMIT)) {
-                return None;
+                let gap = Pairs::difference(place(0), place(i + 1)).scaled(scale).scaled(scale);
+                lifts[i] = lifts[i].add(&gap);
+                lift_sizes[i] = from_fn(|l| lift_sizes[i][l] + gap.hi[l].abs());
+                for l in 0..L {
+                    certain[l] &= lift_sizes[i][l] <= LIFT_LIMIT && weight[l].abs() <= LIFT_LIMIT;
+                }
             }
         }
+        let sizes: [[[f64; L]; 3]; 3] =
+            edges.each_ref().map(|edge| edge.each_ref().map(|x| x.hi.map(f64::abs)));
         let pairs = [(1, 2), (2, 0), (0, 1)];
-        let crosses = pairs.map(|(i, j)| cross(edges[i], edges[j]));
-        let cross_sizes = pairs.map(|(i, j)| cross_size(sizes[i], sizes[j]));
-        let determinant = dot(edges[0], crosses[0]);
-        let size: f64 = (0..3).map(|i| sizes[0][i] * cross_sizes[0][i]).sum();
-        let determinant_error = 48.0 * UNIT_SQUARED * size + UNDERFLOW;
-        let certain = determinant_error <= DETERMINANT_ERROR * determinant.hi.abs();
-        if !certain {
-            return None;
-        }
-        let inverse = 0.5 / determinant.hi;
-        let divisor = determinant.scaled(2.0);
-        let offset: [(Dd, f64); 3] = std::array::from_fn(|i| {
-            let column = [crosses[0][i], crosses[1][i], crosses[2][i]];
-            let size: f64 = (0..3).map(|k| lift_sizes[k] * cross_sizes[k][i]).sum();
-            let quotient = divide(dot(lifts, column), divisor, inverse);
-            // The quotient of wrong numbers, |N'/D' - N/D| <= (|N' - N| + |N'/D'| |D' - D|) / |D|,
-            // where |D| >= (1 - 2^-20) |D'|; then the division's own error.
-            let error = 0.5 * (80.0 * UNIT_SQUARED * size + UNDERFLOW)
-                + quotient.hi.abs() * determinant_error;
-            let error = error / determinant.hi.abs() * (1.0 + 4.0 * DETERMINANT_ERROR);
-            (quotient, error + 64.0 * UNIT_SQUARED * quotient.hi.abs() + UNDERFLOW)
+        let crosses = pairs.map(|(i, j)| cross(&edges[i], &edges[j]));
+        let cross_sizes = pairs.map(|(i, j)| cross_size(&sizes[i], &sizes[j]));
+        let determinant = dot(&edges[0], &crosses[0]).normalized();
+        let determinant_error: [f64; L] = from_fn(|l| {
+            let size: f64 = (0..3).map(|k| sizes[0][k][l] * cross_sizes[0][k][l]).sum();
+            66.0 * UNIT_SQUARED * size + UNDERFLOW
         });
-        Some(Estimate { offset: offset.map(|o| o.0), error: offset.map(|o| o.1), weight, scale })
-    }
-
-    /// The rounded centre, if the rounding of each number is certain.
-    fn center(&self, base: [f64; 3]) -> Option<Center> {
-        let unscale = 1.0 / self.scale;
-        let mut position = [0.0; 3];
-        for i in 0..3 {
-            let offset = self.offset[i].scaled(unscale);
-            let sum = Dd { hi: base[i], lo: 0.0 }.plus(offset);
-            let error =
-                self.error[i] * unscale + 10.0 * UNIT_SQUARED * (base[i].abs() + offset.hi.abs());
-            position[i] = sum.rounded_within(error)?;
+        for l in 0..L {
+            certain[l] &= determinant_error[l] <= DETERMINANT_ERROR * determinant.hi[l].abs();
         }
-        // The square is wrong by 2 |x| e + e² for each coordinate x wrong by e, and k is 4.
-        let square = dot(self.offset, self.offset);
-        let power = square.minus(Dd { hi: self.weight, lo: 0.0 });
-        let from_offset: f64 =
-            (0..3).map(|i| self.error[i] * (2.0 * self.offset[i].hi.abs() + self.error[i])).sum();
-        let error = from_offset * (1.0 + DETERMINANT_ERROR)
-            + 40.0 * UNIT_SQUARED * (square.hi + self.weight.abs())
-            + UNDERFLOW;
-        let radius_squared = power.rounded_within(error)? * unscale * unscale;
-        // Unscaling is exact unless the result is subnormal or infinite.
-        let exact = self.scale == 1.0 || radius_squared.is_normal();
-        exact.then_some(Center { position, radius_squared })
+        let inverse = determinant.hi.map(|d| 0.5 / d);
+        let divisor = determinant.scaled([2.0; L]);
+        let offset = from_fn(|k| {
+            let column = [crosses[0][k], crosses[1][k], crosses[2][k]];
+            divide(&dot(&lifts, &column).normalized(), &divisor, inverse)
+        });
+        // |N'/D' - N/D| <= (|N' - N| + |N'/D'| |D' - D|) / |D|, where |D| >= (1 - 2^-20) |D'|; then
+        // the division's own error of 47u².
+        let error = from_fn(|k: usize| {
+            from_fn(|l| {
+                let size: f64 = (0..3).map(|i| lift_sizes[i][l] * cross_sizes[i][k][l]).sum();
+                let quotient = offset[k].hi[l].abs();
+                let numerator_error = 0.5 * (160.0 * UNIT_SQUARED * size + UNDERFLOW);
+                (numerator_error + quotient * determinant_error[l])
+                    * (2.0 * inverse[l].abs() * (1.0 + 4.0 * DETERMINANT_ERROR))
+                    + 64.0 * UNIT_SQUARED * quotient
+                    + UNDERFLOW
+            })
+        });
+        Estimates { offset, error, weight, scale, certain }
+    }
+
+    /// The unscaled N / 2D of one cell, as (high, low), if its determinant is certain.
+    fn offset(&self, l: usize) -> Option<[[f64; 2]; 3]> {
+        let unscale = 1.0 / self.scale[l];
+        let unscaled = self.offset.each_ref().map(|x| [x.hi[l] * unscale, x.lo[l] * unscale]);
+        self.certain[l].then_some(unscaled)
+    }
+
+    /// The rounded centres, where the rounding of each number is certain.
+    #[inline(always)]
+    fn centers(&self, bases: [[f64; 3]; L]) -> [Option<Center>; L] {
+        let unscale = self.scale.map(|scale| 1.0 / scale);
+        // A sum with an exact number: 3u² of both sizes, and 2u² for the rounding of the two ends.
+        let position: [[Rounded; L]; 3] = from_fn(|k| {
+            let base: [f64; L] = from_fn(|l| bases[l][k]);
+            let offset = self.offset[k].scaled(unscale);
+            let error = from_fn(|l| {
+                self.error[k][l] * unscale[l]
+                    + 8.0 * UNIT_SQUARED * (base[l].abs() + offset.hi[l].abs())
+            });
+            round(&Pairs::exact(base).add(&offset), error)
+        });
+        // The square is wrong by 2 |x| e + e² for each coordinate x wrong by e; it is (5, 24), less the
+        // weight (6, 35), and the ends are rounded by 6u².
+        let square = dot(&self.offset, &self.offset);
+        let error = from_fn(|l| {
+            let from_offset: f64 = (0..3)
+                .map(|k| (self.error[k][l], self.offset[k].hi[l].abs()))
+                .map(|(error, size)| error * (2.0 * size + error))
+                .sum();
+            from_offset * (1.0 + DETERMINANT_ERROR)
+                + 48.0 * UNIT_SQUARED * (square.hi[l] + self.weight[l].abs())
+                + UNDERFLOW
+        });
+        let power = round(&square.sub(&Pairs::exact(self.weight)), error);
+        from_fn(|l| {
+            let radius_squared = power[l].value * unscale[l] * unscale[l];
+            // Unscaling is exact unless the result is subnormal or infinite.
+            let exact = self.scale[l] == 1.0 || radius_squared.is_normal();
+            let sure = exact && power[l].sure && position.iter().all(|p| p[l].sure);
+            let position = position.map(|p| p[l].value);
+            (sure && self.certain[l]).then_some(Center { position, radius_squared })
+        })
     }
 }
 
 #[inline(always)]
-fn difference(p: [f64; 3], q: [f64; 3]) -> [Dd; 3] {
-    std::array::from_fn(|i| Dd::difference(p[i], q[i]))
+fn dot<const L: usize>(x: &[Pairs<L>; 3], y: &[Pairs<L>; 3]) -> Pairs<L> {
+    x[0].mul(&y[0]).add(&x[1].mul(&y[1])).add(&x[2].mul(&y[2]))
 }
 
 #[inline(always)]
-fn dot(x: [Dd; 3], y: [Dd; 3]) -> Dd {
-    x[0].times(y[0]).plus(x[1].times(y[1])).plus(x[2].times(y[2]))
+fn cross<const L: usize>(x: &[Pairs<L>; 3], y: &[Pairs<L>; 3]) -> [Pairs<L>; 3] {
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| x[i].mul(&y[j]).sub(&x[j].mul(&y[i])))
 }
 
 #[inline(always)]
-fn cross(x: [Dd; 3], y: [Dd; 3]) -> [Dd; 3] {
-    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| x[i].times(y[j]).minus(x[j].times(y[i])))
+fn cross_size<const L: usize>(x: &[[f64; L]; 3], y: &[[f64; L]; 3]) -> [[f64; L]; 3] {
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| from_fn(|l| x[i][l] * y[j][l] + x[j][l] * y[i][l]))
 }
 
-#[inline(always)]
-fn cross_size(x: [f64; 3], y: [f64; 3]) -> [f64; 3] {
-    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| x[i] * y[j] + x[j] * y[i])
-}
-
-/// The quotient, wrong by at most 48u² of itself; `inverse` is 1 / `divisor.hi` rounded.
+/// The quotients of normalised numbers, normalised and wrong by at most 47u² of themselves; `inverse`
+/// is 1 / `divisor.hi` rounded.
 ///
-/// The first digit is off by 4u of itself: the remainder r is 4u |x| in absolute value. It is computed
-/// with an error of 8u² |x| for the product and 6u² (2 |x|) for the difference; its low part, 4u² |x|,
-/// is dropped; and the second digit is off by 3u of itself, 12u² |x / divisor|: 36u² in all.
+/// The first digit q is off by 4u of itself, so the remainder is 4u |x| in absolute value. The product
+/// of the divisor with q is (3, 8), the difference from x (4, 15) for the magnitude 2 |x|: wrong by 30u² |x|.
+/// Its two parts are added, wrong by 4u² |x|, and the second digit is off by 3u of itself,
+/// 12u² |x / divisor|: 46u² and terms in u³.
 #[inline(always)]
-fn divide(x: Dd, divisor: Dd, inverse: f64) -> Dd {
-    let first = x.hi * inverse;
-    let remainder = x.minus(divisor.times(Dd { hi: first, lo: 0.0 }));
-    two_sum(first, remainder.hi * inverse)
+fn divide<const L: usize>(x: &Pairs<L>, divisor: &Pairs<L>, inverse: [f64; L]) -> Pairs<L> {
+    let hi: [f64; L] = from_fn(|l| x.hi[l] * inverse[l]);
+    let rest = x.sub(&divisor.mul(&Pairs::exact(hi)));
+    Pairs { hi, lo: from_fn(|l| (rest.hi[l] + rest.lo[l]) * inverse[l]) }.normalized()
+}
+
+/// A rounded value, and whether it is certainly the right one.
+#[derive(Clone, Copy)]
+struct Rounded {
+    value: f64,
+    sure: bool,
+}
+
+/// The floats nearest to the pairs, sure where every number within the error rounds to the same finite
+/// one. The error must leave room for the rounding of lo - error and lo + error.
+#[inline(always)]
+fn round<const L: usize>(x: &Pairs<L>, error: [f64; L]) -> [Rounded; L] {
+    from_fn(|l| {
+        let low = x.hi[l] + (x.lo[l] - error[l]);
+        let high = x.hi[l] + (x.lo[l] + error[l]);
+        // Adding 0 turns -0 into 0.
+        Rounded { value: low + 0.0, sure: low == high && low.is_finite() }
+    })
 }
 
 #[cfg(test)]

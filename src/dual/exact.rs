@@ -1,9 +1,10 @@
 //! The exact stages behind the centres of cells: short numbers on a grid, and integers of any size.
 
 use super::center::{Center, power_of_two};
-use super::double_double::Dd;
+use crate::predicates::Sign;
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive, Zero};
+use std::array::from_fn;
 
 /// The mantissa and exponent of a finite f64: x = m 2^e, with m odd, or 0 and a large exponent.
 fn decode(x: f64) -> (i64, i32) {
@@ -41,7 +42,7 @@ pub(super) fn on_grid(
     points: [[f64; 3]; 4],
     weights: Option<[f64; 4]>,
     base: [f64; 3],
-    offset: [Dd; 3],
+    offset: [[f64; 2]; 3],
 ) -> Option<Center> {
     let exponent = unit_exponent(&points, weights, base) - GRID_BITS;
     if !GRID_EXPONENTS.contains(&exponent) {
@@ -51,9 +52,11 @@ pub(super) fn on_grid(
     let whole = |x: f64, limit: f64| (x.abs() <= limit).then_some(x as i128);
     let reach = |x: f64| whole(x * per_unit, GRID_REACH);
     let reach_3 = |p: [f64; 3]| Some([reach(p[0])?, reach(p[1])?, reach(p[2])?]);
-    let nearest = |x: Dd| {
-        let high = (x.hi * per_unit).round();
-        let low = ((x.hi * per_unit - high) + x.lo * per_unit).round();
+    let nearest = |[high, low]: [f64; 2]| {
+        let rest = low * per_unit;
+        let high = high * per_unit;
+        let (high, rest) = (high.round(), (high - high.round()) + rest);
+        let low = rest.round();
         Some(whole(high, GRID_SIZE)? + whole(low, GRID_SIZE)?)
     };
     let center = [nearest(offset[0])?, nearest(offset[1])?, nearest(offset[2])?];
@@ -62,8 +65,8 @@ pub(super) fn on_grid(
         None => Some(0),
     };
     let (first, first_weight) = (reach_3(points[0])?, weight(0)?);
-    for i in 1..4 {
-        let point = reach_3(points[i])?;
+    for (i, point) in points.iter().enumerate().skip(1) {
+        let point = reach_3(*point)?;
         let mut excess = weight(i)? - first_weight;
         for k in 0..3 {
             let edge = point[k] - first[k];
@@ -78,7 +81,7 @@ pub(super) fn on_grid(
     }
     let base = reach_3(base)?;
     // Conversion to f64 rounds to nearest, ties to even; the units are powers of two.
-    let position = std::array::from_fn(|k| (base[k] + center[k]) as f64 * unit);
+    let position = from_fn(|k| (base[k] + center[k]) as f64 * unit);
     let square: i128 = center.iter().map(|x| x * x).sum();
     Some(Center { position, radius_squared: (square - first_weight) as f64 * unit * unit })
 }
@@ -95,7 +98,7 @@ pub(super) fn by_integers(
         return None;
     }
     let divisor = &solution.determinant * 2;
-    let position = std::array::from_fn(|k| {
+    let position = from_fn(|k| {
         let base = integer(base[k], exponent) * &divisor;
         ratio(base + &solution.numerator[k], &divisor, exponent)
     });
@@ -116,11 +119,11 @@ impl Solution {
     fn new(points: &[[f64; 3]; 4], weights: Option<[f64; 4]>, exponent: i32) -> Solution {
         let place = |p: [f64; 3]| p.map(|x| integer(x, exponent));
         let a = place(points[0]);
-        let edges: [[BigInt; 3]; 3] = std::array::from_fn(|i| {
+        let edges: [[BigInt; 3]; 3] = from_fn(|i| {
             let p = place(points[i + 1]);
-            std::array::from_fn(|k| &p[k] - &a[k])
+            from_fn(|k| &p[k] - &a[k])
         });
-        let lifts: [BigInt; 3] = std::array::from_fn(|i| {
+        let lifts: [BigInt; 3] = from_fn(|i| {
             let square: BigInt = edges[i].iter().map(|x| x * x).sum();
             match weights {
                 Some(w) => square + integer(w[0], 2 * exponent) - integer(w[i + 1], 2 * exponent),
@@ -133,10 +136,57 @@ impl Solution {
         };
         let crosses = [cross(1, 2), cross(2, 0), cross(0, 1)];
         Solution {
-            numerator: std::array::from_fn(|k| (0..3).map(|i| &lifts[i] * &crosses[i][k]).sum()),
+            numerator: from_fn(|k| (0..3).map(|i| &lifts[i] * &crosses[i][k]).sum()),
             determinant: (0..3).map(|k| &edges[0][k] * &crosses[0][k]).sum(),
         }
     }
+}
+
+/// The sign of p . q, where p and q are the centres of two cells less the first point, which they
+/// share. The cells must not be flat.
+#[cold]
+pub(crate) fn dot_sign(p: [[f64; 3]; 4], q: [[f64; 3]; 4]) -> Sign {
+    let [p, q] = [p, q].map(|cell| {
+        let solution = Solution::new(&cell, None, unit_exponent(&cell, None, [0.0; 3]));
+        let negative = solution.determinant.is_negative();
+        solution.numerator.map(|x| if negative { -x } else { x })
+    });
+    sign_of(&p.iter().zip(&q).map(|(x, y)| x * y).sum())
+}
+
+/// The sign of p . d, where p is the centre of a cell less its first point. The cell must not be
+/// flat.
+#[cold]
+pub(crate) fn direction_sign(p: [[f64; 3]; 4], direction: [f64; 3]) -> Sign {
+    let solution = Solution::new(&p, None, unit_exponent(&p, None, [0.0; 3]));
+    let exponent = direction.iter().map(|&x| decode(x).1).min().unwrap_or(0).min(0x400);
+    let dot: BigInt =
+        (0..3).map(|k| &solution.numerator[k] * integer(direction[k], exponent)).sum();
+    sign_of(&(dot * solution.determinant))
+}
+
+fn sign_of(x: &BigInt) -> Sign {
+    if x.is_positive() {
+        Sign::Positive
+    } else if x.is_negative() {
+        Sign::Negative
+    } else {
+        Sign::Zero
+    }
+}
+
+/// The cross product of b - a and c - a, times a power of two that makes its largest coordinate about
+/// 1, each coordinate rounded once.
+#[cold]
+pub(super) fn cross(points: [[f64; 3]; 3]) -> [f64; 3] {
+    let exponent = points.iter().flatten().map(|&x| decode(x).1).min().unwrap_or(0).min(0x400);
+    let [a, b, c] = points.map(|p| p.map(|x| integer(x, exponent)));
+    let (u, v): ([_; 3], [_; 3]) =
+        (from_fn(|k: usize| &b[k] - &a[k]), from_fn(|k: usize| &c[k] - &a[k]));
+    let cross = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &u[i] * &v[j] - &u[j] * &v[i]);
+    let bits = cross.iter().map(BigInt::bits).max().unwrap_or(0);
+    let scale = BigInt::from(1) << bits;
+    cross.map(|x| ratio(x, &scale, 0))
 }
 
 /// x / 2^`exponent`, which must be whole.

@@ -2,7 +2,7 @@
 
 mod bounds;
 mod far_box;
-mod order;
+pub(crate) mod order;
 
 pub use bounds::Bounds;
 pub use far_box::FAR_BOX_FACTOR;

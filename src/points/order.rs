@@ -11,7 +11,7 @@ const BITS: u32 = 21;
 ///
 /// Only the coordinates' bits and the box decide, so that the order depends on the set alone;
 /// equal points come to stand together, the first row first. Cost: O(n log n).
-pub(super) fn sort(
+pub(crate) fn sort(
     points: &mut Vec<([f64; 3], u32)>,
     bounds: &Bounds,
     run: &Run<'_>,

@@ -1,58 +1,64 @@
-//! Poles: of each sample's Voronoi cell the farthest vertex, and the farthest one on the other
-//! side (Amenta, Bern 1999; Amenta, Choi, Kolluri 2001, sections 3.2 and 5.1).
+//! Poles: for each sample the farthest Voronoi vertices on either side of the surface.
+//!
+//! Amenta, Choi, Kolluri 2001, *The Power Crust*, sections 3.2 and 5.1; Amenta, Bern 1999 for a
+//! sample alone, whose poles may be at infinity. See `docs/algorithms/poles.md`.
 
 mod feature_size;
+mod merge;
 mod select;
 mod validate;
 
-use crate::dual::circumcenter;
-use crate::error::{Error, Result, Status};
+use crate::dual::{Dual, DualOptions, offset, unit};
+use crate::error::{ElementKind, Error, Result, Status};
 use crate::index::NONE;
 use crate::job::{Job, Run, Stage};
-use crate::points::{COORDINATE_MIN, FAR_BOX_LEN, Points};
-use crate::predicates::{Sign, insphere};
+use crate::points::{Bounds, COORDINATE_MIN, FAR_BOX_LEN, Points, order};
 use crate::triangulation::Triangulation;
-use select::Picks;
-use std::sync::Arc;
+use feature_size::Forest;
+use select::Selection;
+use std::sync::{Arc, OnceLock};
 
-/// Poles' coordinates are clamped to this absolute value, 2^400.
+/// The largest coordinate of a pole in absolute value, 2^400; what lies farther is moved there.
 const POLE_MAX: f64 = f64::from_bits((1023 + 400) << 52);
 
-/// The poles of a sample and their balls.
+/// The poles of a sample, alone or with the far box.
 ///
-/// A pole is a Voronoi vertex, however many samples choose it and however many cells share it
-/// (the cells of more than four cospherical samples do). Poles are numbered by the spatial rank
-/// of their centres, then by cell. Sample `i` is vertex `i` of the [`Points`] that were given.
+/// The *first pole* of a sample is the farthest vertex of its Voronoi cell: the one with the largest
+/// squared radius, of equal ones the one with the lexicographically least centre, then the least cell.
+/// The *second pole* is the farthest of those whose direction makes an obtuse angle with that of the
+/// first. Distances are compared by their squares, correctly rounded, and angles exactly, for the exact
+/// centres: among samples an ulp apart rounded ones tell nothing. Where the Voronoi cell is
+/// unbounded (a sample on the hull, without far box) the first pole is at infinity, in the direction of
+/// the mean of the unit directions of the cell's unbounded edges, as it stands in `normals`.
 ///
-/// Invariants: `balls[p][3]` is the root of `radii_squared[p]`; both are correctly rounded, and
-/// so are centres, up to the clamping of what lies outside [2^-160, 2^400]; `cell_of_pole[p]`
-/// is the least chosen cell with that centre; no two poles are the same Voronoi vertex; each pole is the
-/// first or second pole of a sample.
+/// Invariants: a pole is one Voronoi vertex, even where several samples choose it or several cells
+/// share it (their spheres are the same, exactly); `cell_of_pole` is the least such cell; poles are
+/// numbered along a Hilbert curve through their centres, ties by coordinates, then by cell; every
+/// pole is that of a sample; the points of the far box have no poles and are in no count. Centres are
+/// correctly rounded, but for coordinates moved into the range of exact predicates: below 2^-160
+/// to 0, above 2^400 to 2^400.
 #[derive(Clone, Debug)]
 pub struct Poles {
     triangulation: Arc<Triangulation>,
-    sample_count: usize,
     balls: Vec<[f64; 4]>,
     radii_squared: Vec<f64>,
     cell_of_pole: Vec<u32>,
     touches_far_box: Vec<bool>,
     pole_of_sample: Vec<[u32; 2]>,
     normals: Vec<[f64; 3]>,
+    /// Where the nearest pole is looked up; made by the first query.
+    forest: OnceLock<Forest>,
 }
 
 impl Poles {
-    /// The poles of the sample S, chosen among the Voronoi vertices of S and the far box Z, so that
-    /// every cell is bounded.
+    /// The poles of the sample S, chosen among the Voronoi vertices of S and the far box Z
+    /// ([`Points::with_far_box`]), so that every sample has a first pole.
     ///
-    /// The first pole is the farthest Voronoi vertex of the sample's cell, by correctly rounded
-    /// squared distance; of equal ones the lexicographically least centre, then the least cell.
-    /// The second is the farthest of those that make an obtuse angle with the first, decided
-    /// exactly on the rounded centres. Errors: [`Status::TooFewPoints`] below four distinct points,
-    /// [`Status::Degenerate`] where all lie in a plane, [`Status::CoordinateRange`] where there
-    /// is no room for Z, and those of the job. Cost: one Delaunay triangulation, then
-    /// O(cells log cells).
+    /// Errors: [`Status::TooFewPoints`] below four distinct points, [`Status::Degenerate`] where
+    /// all lie in a plane, [`Status::CoordinateRange`] where there is no room for Z, and those
+    /// of the job. Cost: nearly all that of a Delaunay triangulation.
     pub fn with_far_box(points: &Arc<Points>, job: &Job) -> Result<Self> {
-        let plan = [(Stage::Triangulate, 0.7), (Stage::Poles, 0.3)];
+        let plan = [(Stage::Triangulate, 0.7), (Stage::Dual, 0.2), (Stage::Poles, 0.1)];
         job.run(&plan, |run| Poles::with_far_box_in(points, run))
     }
 
@@ -61,148 +67,186 @@ impl Poles {
         Triangulation::check_solid(points, run)?;
         let boxed = Arc::new(points.with_far_box()?);
         let triangulation = Arc::new(Triangulation::delaunay_in(&boxed, run)?);
-        run.enter(Stage::Poles)?;
-        let count = triangulation.cells().len();
-        let mut centers: Vec<[f64; 3]> = run.try_vec(count)?;
-        let mut radii_squared: Vec<f64> = run.try_vec(count)?;
-        for (id, cell) in triangulation.cells().iter().enumerate() {
-            if id % 1024 == 0 {
-                run.tick(id / 2, count)?;
-            }
-            let center = circumcenter(cell.map(|v| triangulation.coords()[v as usize]))
-                .ok_or_else(|| Error::new(Status::Internal, "a cell of a triangulation is flat"))?;
-            centers.push(center.position.map(clamp));
-            radii_squared.push(center.radius_squared);
-        }
-        let incidence = triangulation.incidence_in(run)?;
-        let picks = Picks::new(&triangulation, &incidence, &centers, &radii_squared, run)?;
-        Poles::number(triangulation, picks, &centers, &radii_squared, run)
+        Poles::new_in(&Dual::new_in(&triangulation, DualOptions::default(), run)?, run)
     }
 
-    /// Merges the chosen cells into Voronoi vertices and numbers these.
-    fn number(
-        triangulation: Arc<Triangulation>,
-        picks: Picks,
-        centers: &[[f64; 3]],
-        radii_squared: &[f64],
-        run: &Run<'_>,
-    ) -> Result<Self> {
-        let sample_count = picks.cells.len();
-        let mut chosen: Vec<u32> = picks.cells.as_flattened().to_vec();
-        chosen.retain(|&cell| cell != NONE);
-        chosen.sort_unstable();
-        chosen.dedup();
-        let position = |&cell: &u32| centers[cell as usize];
-        let ranked = Points::new_in(chosen.iter().map(position), Default::default(), run)?;
-        let rank_of = |i: usize| ranked.vertex_of_row()[i];
-        let mut order: Vec<u32> = (0..chosen.len() as u32).collect();
-        order.sort_unstable_by_key(|&i| (rank_of(i as usize), i));
+    /// Chooses the poles of every sample from the Voronoi diagram of the sample, or of the sample
+    /// with the far box.
+    ///
+    /// Errors: [`Status::InvalidArgument`] for a power diagram, and those of the job. Cost: O(m) for
+    /// m cells.
+    pub fn new(dual: &Dual, job: &Job) -> Result<Self> {
+        job.run(&[(Stage::Poles, 1.0)], |run| Poles::new_in(dual, run))
+    }
+
+    /// [`Poles::new`] as a stage of a larger build.
+    pub(crate) fn new_in(dual: &Dual, run: &Run<'_>) -> Result<Self> {
         run.enter(Stage::Poles)?;
-        let mut poles = Poles {
-            triangulation,
-            sample_count,
-            balls: Vec::new(),
-            radii_squared: Vec::new(),
-            cell_of_pole: Vec::new(),
-            touches_far_box: Vec::new(),
-            pole_of_sample: Vec::new(),
-            normals: picks.normals,
+        let t = dual.triangulation();
+        if t.is_weighted() {
+            return Err(Error::new(
+                Status::InvalidArgument,
+                "poles need the dual of a Delaunay triangulation, not of a regular one",
+            ));
+        }
+        let samples = sample_count(t.points());
+        let _charge = run.charge(t.cells().len() as u64 * 4 + samples as u64 * 48)?;
+        let least_cell = merge::least_cells(dual, run)?;
+        let Selection { first, second, mut normals } = Selection::new(dual, samples, run)?;
+        let mut numbers: Vec<u32> = run.try_vec(t.cells().len())?;
+        numbers.resize(t.cells().len(), NONE);
+        let cell_of_pole = number(dual, &least_cell, [&first, &second], &mut numbers, run)?;
+        let touches_far_box = touches(t, samples, &least_cell, &numbers, cell_of_pole.len());
+        let pole = |&cell: &u32| match cell {
+            NONE => NONE,
+            cell => numbers[least_cell[cell as usize] as usize],
         };
-        let mut pole_of_chosen = vec![NONE; chosen.len()];
-        for place in order.chunk_by(|&i, &j| rank_of(i as usize) == rank_of(j as usize)) {
-            run.poll()?;
-            let first = poles.len();
-            for &i in place {
-                let cell = chosen[i as usize];
-                let same = (first..poles.len())
-                    .find(|&pole| poles.share_sphere(poles.cell_of_pole[pole], cell));
-                let pole = same.unwrap_or_else(|| {
-                    let [x, y, z] = centers[cell as usize];
-                    let squared = radii_squared[cell as usize];
-                    poles.balls.push([x, y, z, squared.sqrt()]);
-                    poles.radii_squared.push(squared);
-                    poles.cell_of_pole.push(cell);
-                    poles.touches_far_box.push(false);
-                    poles.len() - 1
-                });
-                let corners = poles.triangulation.cells()[cell as usize];
-                poles.touches_far_box[pole] |= corners.iter().any(|&v| v as usize >= sample_count);
-                pole_of_chosen[i as usize] = pole as u32;
+        let mut pole_of_sample = run.try_vec(samples)?;
+        pole_of_sample.extend(first.iter().zip(&second).map(|(p, q)| [pole(p), pole(q)]));
+        for (sample, &cell) in first.iter().enumerate().filter(|(_, cell)| **cell != NONE) {
+            if sample % 4096 == 0 {
+                run.poll()?;
             }
+            normals[sample] = direction(t, sample as u32, cell)?;
         }
-        let pole_of = |cell: u32| chosen.binary_search(&cell).map_or(NONE, |i| pole_of_chosen[i]);
-        poles.pole_of_sample = picks.cells.iter().map(|pair| pair.map(pole_of)).collect();
-        Ok(poles)
+        let ball = |&cell: &u32| {
+            let [x, y, z] = position(dual, cell);
+            [x, y, z, dual.radii_squared()[cell as usize].sqrt()]
+        };
+        Ok(Poles {
+            triangulation: t.clone(),
+            balls: cell_of_pole.iter().map(ball).collect(),
+            radii_squared: cell_of_pole.iter().map(|&c| dual.radii_squared()[c as usize]).collect(),
+            cell_of_pole,
+            touches_far_box,
+            pole_of_sample,
+            normals,
+            forest: OnceLock::new(),
+        })
     }
 
-    /// Whether two cells are parts of one Delaunay polytope: all their vertices lie on one sphere.
-    fn share_sphere(&self, one: u32, other: u32) -> bool {
-        let cells = self.triangulation.cells();
-        let at = |v: u32| &self.triangulation.coords()[v as usize];
-        let [a, b, c, d] = cells[one as usize].map(at);
-        cells[other as usize]
-            .iter()
-            .all(|&v| cells[one as usize].contains(&v) || insphere(a, b, c, d, at(v)) == Sign::Zero)
-    }
-
-    /// The triangulation whose cells' circumcentres the poles are: of S and Z.
+    /// The triangulation of the sample, with the far box if there is one.
     pub fn triangulation(&self) -> &Arc<Triangulation> {
         &self.triangulation
     }
 
     /// Whether the poles were chosen with the far box.
     pub fn has_far_box(&self) -> bool {
-        self.triangulation.coords().len() == self.sample_count + FAR_BOX_LEN
+        self.triangulation.coords().len() == self.sample_count() + FAR_BOX_LEN
     }
 
-    /// The number of samples; Z does not count.
-    pub fn sample_count(&self) -> usize {
-        self.sample_count
-    }
-
-    /// The number of poles.
+    /// The number of poles, p.
     pub fn len(&self) -> usize {
         self.balls.len()
     }
 
-    /// Whether there is no pole.
+    /// Whether there is no finite pole.
     pub fn is_empty(&self) -> bool {
         self.balls.is_empty()
     }
 
-    /// The polar balls: centre and radius, in input units.
+    /// The number of samples, n: the first vertices of the triangulation.
+    pub fn sample_count(&self) -> usize {
+        self.pole_of_sample.len()
+    }
+
+    /// The polar balls, p x 4: centre and radius, in input units. The radius is the square root of
+    /// [`Poles::radii_squared`], rounded.
     pub fn balls(&self) -> &[[f64; 4]] {
         &self.balls
     }
 
-    /// The squared radius of each polar ball, rounded once.
+    /// The squared radii of the polar balls, correctly rounded.
     pub fn radii_squared(&self) -> &[f64] {
         &self.radii_squared
     }
 
-    /// The cell of the triangulation whose circumcentre each pole is.
+    /// The cell of the triangulation whose circumcentre each pole is; the least one, if several
+    /// cells share their sphere.
     pub fn cell_of_pole(&self) -> &[u32] {
         &self.cell_of_pole
     }
 
-    /// Whether the Delaunay cell of each pole has a corner of the far box.
+    /// Whether a cell of each pole has a vertex of the far box; always `false` without far box.
     pub fn touches_far_box(&self) -> &[bool] {
         &self.touches_far_box
     }
 
-    /// The first and second pole of each sample; [`NONE`] where there is none, or it is at infinity.
+    /// The first and the second pole of each sample, n x 2; [`NONE`] for a first pole at infinity, and
+    /// where there is no second one.
     pub fn pole_of_sample(&self) -> &[[u32; 2]] {
         &self.pole_of_sample
     }
 
-    /// The unit vector from each sample towards its first pole: normal to the surface, on
-    /// either side of it.
+    /// The unit direction from each sample to its first pole, n x 3, an estimate of the surface's
+    /// normal. It is *not* oriented: it points outward at some samples and inward at others.
     pub fn normals(&self) -> &[[f64; 3]] {
         &self.normals
     }
 }
 
-/// A centre's coordinate within the range in which the predicates on poles are exact.
-fn clamp(x: f64) -> f64 {
-    if x.abs() < COORDINATE_MIN { 0.0 } else { x.clamp(-POLE_MAX, POLE_MAX) }
+/// The centre of a cell, as far as that is within the range of exact predicates.
+fn position(dual: &Dual, cell: u32) -> [f64; 3] {
+    dual.centers()[cell as usize].map(|x| match x.abs() < COORDINATE_MIN {
+        true => 0.0,
+        false => x.clamp(-POLE_MAX, POLE_MAX),
+    })
+}
+
+/// The number of samples: the points before the far box, which has no rows.
+fn sample_count(points: &Points) -> usize {
+    let rows = points.row_of_vertex();
+    rows.iter().position(|&row| row == NONE).unwrap_or(rows.len())
+}
+
+/// The cells of the poles in their order, one for each Voronoi vertex that is chosen; their numbers
+/// go into `numbers`, which must be [`NONE`] throughout.
+fn number(
+    dual: &Dual,
+    least_cell: &[u32],
+    chosen: [&[u32]; 2],
+    numbers: &mut [u32],
+    run: &Run<'_>,
+) -> Result<Vec<u32>> {
+    let mut cells = run.try_vec(2 * chosen[0].len())?;
+    for &cell in chosen.into_iter().flatten().filter(|&&cell| cell != NONE) {
+        let least = least_cell[cell as usize];
+        if numbers[least as usize] == NONE {
+            numbers[least as usize] = 0;
+            cells.push((position(dual, least), least));
+        }
+    }
+    if let Some(bounds) = Bounds::of(cells.iter().map(|(center, _)| *center)) {
+        order::sort(&mut cells, &bounds, run)?;
+    }
+    for (pole, (_, cell)) in cells.iter().enumerate() {
+        numbers[*cell as usize] = pole as u32;
+    }
+    Ok(cells.into_iter().map(|(_, cell)| cell).collect())
+}
+
+/// Whether any cell of each pole has a vertex that is not a sample.
+fn touches(
+    t: &Triangulation,
+    samples: usize,
+    least_cell: &[u32],
+    numbers: &[u32],
+    poles: usize,
+) -> Vec<bool> {
+    let mut touches = vec![false; poles];
+    for (corners, &least) in t.cells().iter().zip(least_cell) {
+        let pole = numbers[least as usize];
+        if pole != NONE && corners.iter().any(|&v| v as usize >= samples) {
+            touches[pole as usize] = true;
+        }
+    }
+    touches
+}
+
+/// The unit direction from a sample to the centre of one of its cells.
+fn direction(t: &Triangulation, sample: u32, cell: u32) -> Result<[f64; 3]> {
+    // From the exact difference: the centre itself may round to the sample.
+    offset(select::seen_from(t, sample, cell)).map(unit).ok_or_else(|| {
+        Error::new(Status::Internal, "the cell is flat").at(ElementKind::Cell, u64::from(cell))
+    })
 }

@@ -1,73 +1,147 @@
-//! The choice of the poles of each sample.
+//! The choice of the two poles of every sample.
 
+use super::position;
+use crate::dual::{Dual, direction_sign, dot_sign, unit};
 use crate::error::Result;
 use crate::index::NONE;
 use crate::job::Run;
-use crate::points::FAR_BOX_LEN;
-use crate::predicates::{Sign, angle};
-use crate::triangulation::{Incidence, Triangulation};
-use std::cmp::Ordering;
+use crate::predicates::Sign;
+use crate::triangulation::Triangulation;
 
-/// What was chosen for each sample.
-pub(super) struct Picks {
-    /// The cells whose circumcentres are the first and the second pole.
-    pub cells: Vec<[u32; 2]>,
-    /// The unit vector towards the first pole.
-    pub normals: Vec<[f64; 3]>,
+/// The unit of rounding, 2^-53.
+const UNIT: f64 = f64::EPSILON / 2.0;
+
+/// The cells whose centres are the poles.
+pub(super) struct Selection {
+    /// The cell of each sample's first pole; [`NONE`] where it is at infinity.
+    pub(super) first: Vec<u32>,
+    /// The cell of each sample's second pole, or [`NONE`].
+    pub(super) second: Vec<u32>,
+    /// The unit direction of each first pole at infinity; 0 for other samples.
+    pub(super) normals: Vec<[f64; 3]>,
 }
 
-impl Picks {
-    /// Chooses among the cells of each sample in a triangulation of S and Z.
-    pub fn new(
-        triangulation: &Triangulation,
-        incidence: &Incidence,
-        centers: &[[f64; 3]],
-        radii_squared: &[f64],
-        run: &Run<'_>,
-    ) -> Result<Self> {
-        let samples = triangulation.coords().len() - FAR_BOX_LEN;
-        let mut picks = Picks { cells: run.try_vec(samples)?, normals: run.try_vec(samples)? };
-        // The farther first, then the lexicographically lesser centre, then the lesser cell.
-        let farther = |&c: &u32, &d: &u32| -> Ordering {
-            let (i, j) = (c as usize, d as usize);
-            radii_squared[i]
-                .total_cmp(&radii_squared[j])
-                .then_with(|| lexicographic(&centers[j], &centers[i]))
-                .then(d.cmp(&c))
-        };
-        for sample in 0..samples {
-            if sample % 1024 == 0 {
-                run.tick(samples / 2 + sample / 2, samples)?;
+impl Selection {
+    /// Two passes over the cells; ascending, so that the least of equal cells is kept.
+    pub(super) fn new(dual: &Dual, samples: usize, run: &Run<'_>) -> Result<Self> {
+        let t = dual.triangulation();
+        let count = t.cells().len();
+        let normals = directions_to_infinity(dual, samples, run)?;
+        let mut first: Vec<u32> = run.try_vec(samples)?;
+        first.resize(samples, NONE);
+        let mut second = first.clone();
+        let of_samples =
+            |cell: usize| t.cells()[cell].into_iter().map(|v| v as usize).filter(|&v| v < samples);
+        for cell in 0..count {
+            if cell % 16384 == 0 {
+                run.tick(count / 4 + cell / 4, count)?;
             }
-            let s = &triangulation.coords()[sample];
-            let cells = incidence.cells_of(sample as u32);
-            let Some(first) = cells.iter().copied().max_by(farther) else {
-                picks.cells.push([NONE; 2]);
-                picks.normals.push([0.0; 3]);
-                continue;
-            };
-            let p = &centers[first as usize];
-            let across = |cell: &u32| angle(p, s, &centers[*cell as usize]) == Sign::Negative;
-            let second = cells.iter().copied().filter(across).max_by(farther).unwrap_or(NONE);
-            picks.cells.push([first, second]);
-            picks.normals.push(unit(std::array::from_fn(|k| p[k] - s[k])));
+            for sample in of_samples(cell) {
+                let best = &mut first[sample];
+                if normals[sample] == [0.0; 3] && is_farther(dual, cell as u32, *best) {
+                    *best = cell as u32;
+                }
+            }
         }
-        Ok(picks)
+        for cell in 0..count {
+            if cell % 1024 == 0 {
+                run.tick(count / 2 + cell / 2, count)?;
+            }
+            for sample in of_samples(cell) {
+                if is_farther(dual, cell as u32, second[sample])
+                    && is_opposite(dual, sample, cell as u32, first[sample], normals[sample])
+                {
+                    second[sample] = cell as u32;
+                }
+            }
+        }
+        Ok(Selection { first, second, normals })
     }
 }
 
-/// The lexicographic order of finite coordinates.
-fn lexicographic(a: &[f64; 3], b: &[f64; 3]) -> Ordering {
-    a.partial_cmp(b).unwrap_or(Ordering::Equal)
+/// For each sample on the hull the mean of the unit directions of its Voronoi cell's unbounded edges, made
+/// a unit vector; 0 for all others.
+fn directions_to_infinity(dual: &Dual, samples: usize, run: &Run<'_>) -> Result<Vec<[f64; 3]>> {
+    let mut sums: Vec<[f64; 3]> = run.try_vec(samples)?;
+    sums.resize(samples, [0.0; 3]);
+    let rays = dual.rays();
+    for (&[cell, facet], direction) in rays.facets().iter().zip(rays.directions()) {
+        let corners = dual.triangulation().facet(cell, facet as usize);
+        for sample in corners.map(|v| v as usize).into_iter().filter(|&v| v < samples) {
+            let sum = [0, 1, 2].map(|k| sums[sample][k] + direction[k]);
+            // All directions lie strictly on one side of a plane, so no sum is 0 but by rounding.
+            sums[sample] = if sum == [0.0; 3] { *direction } else { sum };
+        }
+    }
+    run.poll()?;
+    for sum in sums.iter_mut().filter(|sum| **sum != [0.0; 3]) {
+        *sum = unit(*sum);
+    }
+    Ok(sums)
 }
 
-/// The vector of length 1 in the same direction; neither overflow nor underflow spoils it.
-fn unit(v: [f64; 3]) -> [f64; 3] {
-    let largest = v.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-    if largest == 0.0 {
-        return v;
+/// Whether the cell's centre is farther from their common vertex than that of another, lesser cell, or as
+/// far and lexicographically less.
+pub(super) fn is_farther(dual: &Dual, cell: u32, other: u32) -> bool {
+    if other == NONE {
+        return true;
     }
-    let v = v.map(|x| x / largest);
-    let length = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
-    v.map(|x| x / length)
+    let radius = |cell: u32| dual.radii_squared()[cell as usize];
+    radius(cell) > radius(other)
+        || (radius(cell) == radius(other) && position(dual, cell) < position(dual, other))
+}
+
+/// Whether the centre of the cell lies opposite the first pole, seen from the sample: (v - s) . (p - s) < 0
+/// for the exact centres v of the cell and p of `first`, or (v - s) . d < 0 if that is [`NONE`] and
+/// the pole at infinity in direction d, the sample's normal.
+pub(super) fn is_opposite(
+    dual: &Dual,
+    sample: usize,
+    cell: u32,
+    first: u32,
+    normal: [f64; 3],
+) -> bool {
+    let t = dual.triangulation();
+    let s = t.coords()[sample];
+    let to_center = |cell: u32| difference(dual.centers()[cell as usize], s);
+    let (x, x_error) = to_center(cell);
+    let (y, y_error) = match first {
+        NONE => (normal, [0.0; 3]),
+        first => to_center(first),
+    };
+    let sum = |term: &dyn Fn(usize) -> f64| term(0) + term(1) + term(2);
+    let dot = sum(&|k| x[k] * y[k]);
+    // What the coordinates are off, then 3u for the products and sums, and room for underflow.
+    let error = sum(&|k| x[k].abs() * y_error[k] + x_error[k] * (y[k].abs() + y_error[k]))
+        + 4.0 * UNIT * sum(&|k| (x[k] * y[k]).abs())
+        + f64::MIN_POSITIVE;
+    // A comparison with NaN is false: what overflows is decided exactly, as what is too close.
+    if dot.abs() > error * (1.0 + 16.0 * UNIT) {
+        return dot < 0.0;
+    }
+    let seen = seen_from(t, sample as u32, cell);
+    let sign = match first {
+        NONE => direction_sign(seen, normal),
+        first => dot_sign(seen, seen_from(t, sample as u32, first)),
+    };
+    sign == Sign::Negative
+}
+
+/// The rounded centre less the sample, and the most that each coordinate is off.
+fn difference(center: [f64; 3], sample: [f64; 3]) -> ([f64; 3], [f64; 3]) {
+    let x = [0, 1, 2].map(|k| center[k] - sample[k]);
+    let error = [0, 1, 2].map(|k| match center[k].abs() {
+        // The centre may be farther still: nothing is known.
+        f64::MAX => f64::INFINITY,
+        size => UNIT * (size + x[k].abs()) + f64::from_bits(1),
+    });
+    (x, error)
+}
+
+/// The points of a cell, the given vertex of it first.
+pub(super) fn seen_from(t: &Triangulation, vertex: u32, cell: u32) -> [[f64; 3]; 4] {
+    let mut corners = t.cells()[cell as usize];
+    let slot = corners.iter().position(|&v| v == vertex).unwrap_or(0);
+    corners.swap(0, slot);
+    corners.map(|v| t.coords()[v as usize])
 }

@@ -25,15 +25,15 @@ use std::array::from_fn;
 
 /// `L` unevaluated sums of two floats.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pairs<const L: usize> {
-    pub(super) hi: [f64; L],
-    pub(super) lo: [f64; L],
+pub(crate) struct Pairs<const L: usize> {
+    pub(crate) hi: [f64; L],
+    pub(crate) lo: [f64; L],
 }
 
 impl<const L: usize> Pairs<L> {
     /// The exact differences `a - b`.
     #[inline(always)]
-    pub(super) fn difference(a: [f64; L], b: [f64; L]) -> Self {
+    pub(crate) fn difference(a: [f64; L], b: [f64; L]) -> Self {
         Self::of(|i| {
             let hi = a[i] - b[i];
             (hi, two_sum_error(a[i], -b[i], hi))
@@ -46,15 +46,37 @@ impl<const L: usize> Pairs<L> {
         Pairs { hi: from_fn(|i| pair(i).0), lo: from_fn(|i| pair(i).1) }
     }
 
+    /// The given floats.
+    #[inline(always)]
+    pub(crate) fn exact(hi: [f64; L]) -> Self {
+        Pairs { hi, lo: [0.0; L] }
+    }
+
+    /// The same values with `hi` the float nearest to each: 1-loose for the value's own magnitude, with
+    /// the error that they had.
+    #[inline(always)]
+    pub(crate) fn normalized(&self) -> Self {
+        Self::of(|i| {
+            let hi = self.hi[i] + self.lo[i];
+            (hi, two_sum_error(self.hi[i], self.lo[i], hi))
+        })
+    }
+
+    /// The products with powers of two, exact unless they underflow or overflow.
+    #[inline(always)]
+    pub(crate) fn scaled(&self, powers: [f64; L]) -> Self {
+        Self::of(|i| (self.hi[i] * powers[i], self.lo[i] * powers[i]))
+    }
+
     /// The pairs at the given places.
     #[inline(always)]
-    pub(super) fn pick<const M: usize>(&self, places: [usize; M]) -> Pairs<M> {
+    pub(crate) fn pick<const M: usize>(&self, places: [usize; M]) -> Pairs<M> {
         Pairs { hi: places.map(|i| self.hi[i]), lo: places.map(|i| self.lo[i]) }
     }
 
     /// The sums.
     #[inline(always)]
-    pub(super) fn add(&self, other: &Self) -> Self {
+    pub(crate) fn add(&self, other: &Self) -> Self {
         Self::of(|i| {
             let hi = self.hi[i] + other.hi[i];
             let error = two_sum_error(self.hi[i], other.hi[i], hi);
@@ -64,13 +86,13 @@ impl<const L: usize> Pairs<L> {
 
     /// The differences.
     #[inline(always)]
-    pub(super) fn sub(&self, other: &Self) -> Self {
+    pub(crate) fn sub(&self, other: &Self) -> Self {
         self.add(&Pairs { hi: other.hi.map(|x| -x), lo: other.lo.map(|x| -x) })
     }
 
     /// The products.
     #[inline(always)]
-    pub(super) fn mul(&self, other: &Self) -> Self {
+    pub(crate) fn mul(&self, other: &Self) -> Self {
         Self::of(|i| {
             let hi = self.hi[i] * other.hi[i];
             let error = two_product_error(self.hi[i], other.hi[i], hi);
@@ -81,7 +103,7 @@ impl<const L: usize> Pairs<L> {
 
 /// a + b - fl(a + b), exactly (Knuth 1969, section 4.2.2; Shewchuk 1997, theorem 7).
 #[inline(always)]
-pub(super) fn two_sum_error(a: f64, b: f64, sum: f64) -> f64 {
+pub(crate) fn two_sum_error(a: f64, b: f64, sum: f64) -> f64 {
     let b_virtual = sum - a;
     let a_virtual = sum - b_virtual;
     (a - a_virtual) + (b - b_virtual)
@@ -93,7 +115,7 @@ pub(super) fn two_sum_error(a: f64, b: f64, sum: f64) -> f64 {
 /// compiled for processors that have it, never chosen at run time; the value does not depend
 /// on it.
 #[inline(always)]
-pub(super) fn two_product_error(a: f64, b: f64, product: f64) -> f64 {
+pub(crate) fn two_product_error(a: f64, b: f64, product: f64) -> f64 {
     if cfg!(target_feature = "fma") {
         return a.mul_add(b, -product);
     }

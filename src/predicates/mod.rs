@@ -24,7 +24,7 @@
 
 mod angle;
 mod circle;
-mod double_double;
+pub(crate) mod double_double;
 mod exact;
 mod integer;
 mod lifted;

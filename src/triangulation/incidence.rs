@@ -146,10 +146,16 @@ impl Triangulation {
 
     /// The next cell counterclockwise round the edge from `a` to `b`, or [`NONE`].
     fn turn(&self, cell: u32, a: u32, b: u32) -> u32 {
+        self.neighbors[cell as usize][self.facet_ahead(cell, a, b)]
+    }
+
+    /// The facet of the cell through which a counterclockwise turn round the edge from `a` to `b`
+    /// leaves it. The cell must have both vertices.
+    pub(crate) fn facet_ahead(&self, cell: u32, a: u32, b: u32) -> usize {
         let vertices = &self.cells[cell as usize];
         let slot_of = |v: u32| vertices.iter().position(|&w| w == v).unwrap_or(0);
         // With (a, b, k, l) positive, the turn goes from k to l: it leaves through facet a b l.
         let [_, _, k, _] = EVEN[slot_of(a)][slot_of(b)];
-        self.neighbors[cell as usize][k]
+        k
     }
 }

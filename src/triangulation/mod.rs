@@ -171,6 +171,12 @@ impl Triangulation {
         self.neighbors[cell as usize][facet] == NONE
     }
 
+    /// The vertices of facet `i` of the cell, the one opposite its vertex `i`. Their right-handed
+    /// normal points out of the cell.
+    pub fn facet(&self, cell: u32, facet: usize) -> [u32; 3] {
+        cells::FACET[facet].map(|slot| self.cells[cell as usize][slot])
+    }
+
     /// The vertex with its weight, 0 in a Delaunay triangulation.
     pub fn site(&self, vertex: u32) -> [f64; 4] {
         let [x, y, z] = self.coords()[vertex as usize];

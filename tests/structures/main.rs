@@ -1,7 +1,9 @@
 //! The library's structures, from points to power crusts, over sets that break such programs.
 
 mod crust;
+mod dual;
 mod job;
 mod points;
+mod poles;
 mod sets;
 mod triangulation;

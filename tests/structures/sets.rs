@@ -99,7 +99,7 @@ pub fn all(n: usize) -> Vec<Set> {
         "two lines",
         (0..n)
             .map(|i| i as f64)
-            .map(|x| if x as usize % 2 == 0 { [x, 0.0, 0.0] } else { [0.0, x, 1.0] })
+            .map(|x| if (x as usize).is_multiple_of(2) { [x, 0.0, 0.0] } else { [0.0, x, 1.0] })
             .collect(),
     );
     sets

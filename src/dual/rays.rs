@@ -1,0 +1,63 @@
+//! Unbounded Voronoi edges: one ray for each facet of the hull.
+
+use super::normal::normal;
+use crate::error::Result;
+use crate::index::NONE;
+use crate::job::Run;
+use crate::triangulation::Triangulation;
+
+/// The unbounded Voronoi edges, in two arrays with a row per facet of the hull.
+///
+/// Ray `i` begins at the centre of cell `facets[i][0]` and passes through the plane of its facet
+/// `facets[i][1]` at a right angle, outward. Invariants: rows ascend, and hold exactly the facets
+/// without a neighbour; directions have length 1 up to rounding and are never NaN.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Rays {
+    facets: Vec<[u32; 2]>,
+    directions: Vec<[f64; 3]>,
+}
+
+impl Rays {
+    pub(super) fn new(t: &Triangulation, run: &Run<'_>) -> Result<Self> {
+        let count = t.neighbors().as_flattened().iter().filter(|&&n| n == NONE).count();
+        let mut facets: Vec<[u32; 2]> = run.try_vec(count)?;
+        for (cell, neighbors) in t.neighbors().iter().enumerate() {
+            let open = (0..4).filter(|&i| neighbors[i] == NONE);
+            facets.extend(open.map(|i| [cell as u32, i as u32]));
+        }
+        let mut directions = run.try_vec(count)?;
+        for (i, &[cell, facet]) in facets.iter().enumerate() {
+            if i % 4096 == 0 {
+                run.poll()?;
+            }
+            let corners = t.facet(cell, facet as usize);
+            directions.push(normal(corners.map(|v| t.coords()[v as usize])));
+        }
+        Ok(Rays { facets, directions })
+    }
+
+    /// The cell of each ray, and the number of the cell's facet that it passes, 0 to 3.
+    pub fn facets(&self) -> &[[u32; 2]] {
+        &self.facets
+    }
+
+    /// The unit directions, outward.
+    pub fn directions(&self) -> &[[f64; 3]] {
+        &self.directions
+    }
+
+    /// The number of rays.
+    pub fn len(&self) -> usize {
+        self.facets.len()
+    }
+
+    /// Whether there is no ray; never so.
+    pub fn is_empty(&self) -> bool {
+        self.facets.is_empty()
+    }
+
+    /// The ray of a facet, or [`NONE`] if it is not on the hull. Cost: O(log n).
+    pub fn of_facet(&self, cell: u32, facet: u32) -> u32 {
+        self.facets.binary_search(&[cell, facet]).map_or(NONE, |i| i as u32)
+    }
+}

@@ -1,0 +1,57 @@
+//! Cells that share their Voronoi vertex.
+
+use crate::dual::Dual;
+use crate::error::Result;
+use crate::index::NONE;
+use crate::job::Run;
+use crate::predicates::insphere;
+
+/// For each cell the least cell with the same circumscribed sphere, in exact arithmetic.
+///
+/// Such cells make up one polytope, so they hang together through facets. Cost: O(m), since equal
+/// spheres have equal rounded centres, and the predicate looks at those only.
+pub(super) fn least_cells(dual: &Dual, run: &Run<'_>) -> Result<Vec<u32>> {
+    let t = dual.triangulation();
+    let count = t.cells().len();
+    let mut parent: Vec<u32> = run.try_vec(count)?;
+    parent.extend(0..count as u32);
+    for cell in 0..count {
+        if cell % 4096 == 0 {
+            run.tick(cell / 4, count)?;
+        }
+        for neighbor in t.neighbors()[cell] {
+            if neighbor != NONE
+                && neighbor as usize > cell
+                && same_sphere(dual, cell, neighbor as usize)
+            {
+                let (a, b) = (root(&mut parent, cell as u32), root(&mut parent, neighbor));
+                parent[a.max(b) as usize] = a.min(b);
+            }
+        }
+    }
+    // A parent is less than its child: by the time a cell is reached, its parent points at the root.
+    for cell in 0..count {
+        parent[cell] = parent[parent[cell] as usize];
+    }
+    Ok(parent)
+}
+
+/// Whether two neighbouring cells have the same circumscribed sphere.
+fn same_sphere(dual: &Dual, cell: usize, neighbor: usize) -> bool {
+    let t = dual.triangulation();
+    let at = |v: u32| &t.coords()[v as usize];
+    let [a, b, c, d] = t.cells()[cell];
+    let apex = t.cells()[neighbor].into_iter().find(|v| ![a, b, c, d].contains(v));
+    dual.centers()[cell] == dual.centers()[neighbor]
+        && dual.radii_squared()[cell] == dual.radii_squared()[neighbor]
+        && apex.is_some_and(|e| insphere(at(a), at(b), at(c), at(d), at(e)).is_zero())
+}
+
+fn root(parent: &mut [u32], mut cell: u32) -> u32 {
+    while parent[cell as usize] != cell {
+        let above = parent[parent[cell as usize] as usize];
+        parent[cell as usize] = above;
+        cell = above;
+    }
+    cell
+}
