@@ -1,22 +1,25 @@
 //! The determinants of all predicates in integer arithmetic: slow, simple, always right.
 //!
 //! Everything is scaled to integers first: coordinates to multiples of 2^unit, lifted values to
-//! multiples of 2^lift_unit, so that the sign of the determinant does not change. Then the widest
-//! value that can occur is bounded, and the determinant is calculated in integers that hold it.
+//! multiples of 2^lift_unit, so that the sign of the determinant does not change. Then the width
+//! is chosen: W limbs of 64 bits for a difference, 2 W for a lifted value or a minor of two rows,
+//! and so on. If differences are below 2^(64 W - 3) and lifted values below 2^(128 W - 3), then
+//! everything fits with its sign: minors of two rows are below 2^(128 W - 5), of three below
+//! 3 * 2^(192 W - 8), the lifted determinant below 3 * 2^(320 W - 9), and that of three rows, for
+//! circles, below 3 * 2^(256 W - 8).
 
 use super::integer::{Int, lowest_bit, width};
 use super::sign::Sign;
 
-/// Widths in limbs of 64 bits. The last is enough for every input within the ranges of
-/// [`super`]: coordinates are multiples of 2^-212 below 2^200, so differences have at most 413
-/// bits; lifted values are multiples of 2^-424 below 2^405, so at most 829 bits; their 24
-/// products have 5 bits more, and one is for the sign: 3 * 413 + 829 + 5 + 1 = 2074 <= 64 * 33.
+/// The widths: 1 limb for a difference is usual, 7 are enough within the ranges of [`super`].
+/// Coordinates are multiples of 2^-212 up to 2^200, so that differences are below 2^(201 + 212), and
+/// 413 <= 64 * 7 - 3; lifted values are multiples of 2^-424 below 2^405, and 829 <= 128 * 7 - 3.
 macro_rules! with_width {
-    ($bits:expr, $function:ident($($argument:expr),*)) => {
-        match $bits {
-            ..=256 => $function::<4>($($argument),*),
-            257..=512 => $function::<8>($($argument),*),
-            _ => $function::<33>($($argument),*),
+    ($grid:expr, $function:ident::<$($limbs:literal),*>($($argument:expr),*)) => {
+        match $grid.limbs() {
+            1 => $function::<$({ $limbs }),*>($($argument),*),
+            2 => $function::<$({ 2 * $limbs }),*>($($argument),*),
+            _ => $function::<$({ 7 * $limbs }),*>($($argument),*),
         }
     };
 }
@@ -55,6 +58,12 @@ impl Grid {
         Grid { unit, lift_unit, bits: width - unit, lift_bits: lift_width - lift_unit }
     }
 
+    /// The number of limbs that differences need.
+    fn limbs(&self) -> usize {
+        let fits = |&limbs: &i32| self.bits <= 64 * limbs - 3 && self.lift_bits <= 128 * limbs - 3;
+        [1, 2].iter().find(|limbs| fits(limbs)).map_or(7, |&limbs| limbs as usize)
+    }
+
     /// `p - origin` in multiples of 2^unit.
     fn difference<const N: usize>(&self, p: &[f64; 3], origin: &[f64; 3]) -> [Int<N>; 3] {
         std::array::from_fn(|i| Int::of(p[i], self.unit) - Int::of(origin[i], self.unit))
@@ -62,49 +71,56 @@ impl Grid {
 
     /// The lifted values |d|^2 - (w - w') in multiples of 2^lift_unit, for the differences `d`
     /// from the last point, whose weight w' is the last.
-    fn lift<const N: usize, const R: usize, const P: usize>(
+    fn lift<const N: usize, const N2: usize, const R: usize, const P: usize>(
         &self,
         rows: &[[Int<N>; 3]; R],
         weights: Option<&[f64; P]>,
-    ) -> [Int<N>; R] {
+    ) -> [Int<N2>; R] {
         std::array::from_fn(|i| {
             let [x, y, z] = rows[i];
-            let square = (x * x + y * y + z * z).shifted(2 * self.unit - self.lift_unit);
+            let square: Int<N2> = x.times(x) + y.times(y) + z.times(z);
+            let square = square.shifted(2 * self.unit - self.lift_unit);
             let weight = |w: &[f64; P], i: usize| Int::of(w[i], self.lift_unit);
             weights.map_or(square, |w| square - (weight(w, i) - weight(w, P - 1)))
         })
     }
 }
 
-/// The determinant of two rows.
-fn det2<const N: usize>(a: [Int<N>; 2], b: [Int<N>; 2]) -> Int<N> {
-    a[0] * b[1] - a[1] * b[0]
+/// The determinant of the first two columns of two rows.
+fn minor<const N: usize, const N2: usize>(a: [Int<N>; 3], b: [Int<N>; 3]) -> Int<N2> {
+    a[0].times(b[1]) - a[1].times(b[0])
 }
 
-/// The determinant of three rows.
-fn det3<const N: usize>(a: [Int<N>; 3], b: [Int<N>; 3], c: [Int<N>; 3]) -> Int<N> {
-    let minor = |p: [Int<N>; 3], q: [Int<N>; 3]| det2([p[0], p[1]], [q[0], q[1]]);
-    minor(a, b) * c[2] - minor(a, c) * b[2] + minor(b, c) * a[2]
+/// The determinant of three rows, whose third column may be wider.
+fn three<const N: usize, const N2: usize, const M: usize, const R: usize>(
+    rows: [[Int<N>; 3]; 3],
+    third: [Int<M>; 3],
+) -> Int<R> {
+    let [a, b, c] = rows;
+    minor::<N, N2>(a, b).times(third[2]) - minor::<N, N2>(a, c).times(third[1])
+        + minor::<N, N2>(b, c).times(third[0])
 }
 
 /// The sign of the determinant of the rows (p - e, |p - e|^2 - (w_p - w_e)) for the points p = a,
 /// b, c, d.
 #[cold]
 pub(super) fn lifted_space(points: [&[f64; 3]; 5], weights: Option<&[f64; 5]>) -> Sign {
-    fn sign<const N: usize>(
+    fn sign<const W: usize, const W2: usize, const W3: usize, const W5: usize>(
         [a, b, c, d, e]: [&[f64; 3]; 5],
         weights: Option<&[f64; 5]>,
         grid: &Grid,
     ) -> Sign {
-        let rows = [a, b, c, d].map(|p| grid.difference::<N>(p, e));
-        let [la, lb, lc, ld] = grid.lift(&rows, weights);
-        let [a, b, c, d] = rows;
-        let determinant =
-            det3(a, b, c) * ld - det3(a, b, d) * lc + det3(a, c, d) * lb - det3(b, c, d) * la;
-        determinant.sign()
+        let rows = [a, b, c, d].map(|p| grid.difference::<W>(p, e));
+        let lifts = grid.lift::<W, W2, 4, 5>(&rows, weights);
+        let cofactor = |i: usize, j: usize, k: usize, l: usize| -> Int<W5> {
+            let rows = [rows[i], rows[j], rows[k]];
+            three::<W, W2, W, W3>(rows, rows.map(|row| row[2])).times(lifts[l])
+        };
+        let sum = cofactor(0, 1, 2, 3) - cofactor(0, 1, 3, 2) + cofactor(0, 2, 3, 1);
+        (sum - cofactor(1, 2, 3, 0)).sign()
     }
     let grid = Grid::of(&points, weights);
-    with_width!(3 * grid.bits + grid.lift_bits + 6, sign(points, weights, &grid))
+    with_width!(grid, sign::<1, 2, 3, 5>(points, weights, &grid))
 }
 
 /// The sign of the determinant of the rows (p - e, |p - e|^2 - (w_p - w_e)) for the points p = a,
@@ -115,48 +131,53 @@ pub(super) fn lifted_plane(
     weights: Option<&[f64; 4]>,
     along: usize,
 ) -> Sign {
-    fn sign<const N: usize>(
+    fn sign<const W: usize, const W2: usize, const W4: usize>(
         [a, b, c, e]: [&[f64; 3]; 4],
         weights: Option<&[f64; 4]>,
         along: usize,
         grid: &Grid,
     ) -> Sign {
-        let mut rows = [a, b, c].map(|p| grid.difference::<N>(p, e));
-        let lifts = grid.lift(&rows, weights);
-        for (row, lift) in rows.iter_mut().zip(lifts) {
-            *row = [row[(along + 1) % 3], row[(along + 2) % 3], lift];
-        }
-        det3(rows[0], rows[1], rows[2]).sign()
+        let rows = [a, b, c].map(|p| grid.difference::<W>(p, e));
+        let lifts = grid.lift::<W, W2, 3, 4>(&rows, weights);
+        let turned = rows.map(|d| [d[(along + 1) % 3], d[(along + 2) % 3], d[along]]);
+        three::<W, W2, W2, W4>(turned, lifts).sign()
     }
     let grid = Grid::of(&points, weights);
-    with_width!(2 * grid.bits + grid.lift_bits + 4, sign(points, weights, along, &grid))
+    with_width!(grid, sign::<1, 2, 4>(points, weights, along, &grid))
 }
 
 /// The sign of the determinant of the rows b - a, c - a, d - a.
 #[cold]
 pub(super) fn volume(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3]) -> Sign {
-    fn sign<const N: usize>([b, c, d, a]: [&[f64; 3]; 4], grid: &Grid) -> Sign {
-        let row = |p| grid.difference::<N>(p, a);
-        det3(row(b), row(c), row(d)).sign()
+    fn sign<const W: usize, const W2: usize, const W3: usize>(
+        [b, c, d, a]: [&[f64; 3]; 4],
+        grid: &Grid,
+    ) -> Sign {
+        let rows = [b, c, d].map(|p| grid.difference::<W>(p, a));
+        three::<W, W2, W, W3>(rows, rows.map(|row| row[2])).sign()
     }
     let points = [b, c, d, a];
     let grid = Grid::of(&points, None);
-    with_width!(3 * grid.bits + 4, sign(points, &grid))
+    with_width!(grid, sign::<1, 2, 3>(points, &grid))
 }
 
 /// The sign of the determinant of the rows b - a, c - a, projected on the two given axes.
 #[cold]
 pub(super) fn area(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], axes: [usize; 2]) -> Sign {
-    fn sign<const N: usize>([b, c, a]: [&[f64; 3]; 3], axes: [usize; 2], grid: &Grid) -> Sign {
-        let row = |p| {
-            let d = grid.difference::<N>(p, a);
-            axes.map(|axis| d[axis])
-        };
-        det2(row(b), row(c)).sign()
+    fn sign<const W: usize, const W2: usize>(
+        [b, c, a]: [&[f64; 3]; 3],
+        [i, j]: [usize; 2],
+        grid: &Grid,
+    ) -> Sign {
+        let [b, c] = [b, c].map(|p| {
+            let d = grid.difference::<W>(p, a);
+            [d[i], d[j], d[3 - i - j]]
+        });
+        minor::<W, W2>(b, c).sign()
     }
     let points = [b, c, a];
     let grid = Grid::of(&points, None);
-    with_width!(2 * grid.bits + 2, sign(points, axes, &grid))
+    with_width!(grid, sign::<1, 2>(points, axes, &grid))
 }
 
 /// The sign of (a - b) . (c - b), for coordinates below 2^400: 2 * 613 + 3 <= 64 * 33 bits.

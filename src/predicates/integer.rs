@@ -1,12 +1,13 @@
-//! Integers of a fixed width, on the stack: the last stage of every predicate.
+//! Integers of fixed widths, on the stack: the last stage of every predicate.
 //!
 //! A finite set of floats lies on a common grid of step 2^unit, so every determinant of them is
-//! an integer times a power of two. [`Int`] calculates modulo 2^(64 N) in two's complement: the
-//! result is right whenever the *final* value fits, whatever happened on the way. No rounding,
-//! no overflow of exponents, nothing on the heap.
+//! an integer times a power of two. Sums are calculated modulo 2^(64 N), products are twice as
+//! wide as their factors: a result is right whenever it fits. No rounding, no range of exponents,
+//! nothing on the heap.
 
 use super::sign::Sign;
-use std::ops::{Add, Mul, Sub};
+use std::array::from_fn;
+use std::ops::{Add, Neg, Sub};
 
 /// An integer modulo 2^(64 N), read as two's complement; least significant limb first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,24 +32,54 @@ impl<const N: usize> Int<N> {
                 limbs[limb + 1] = (wide >> 64) as u64;
             }
         }
-        let magnitude = Int(limbs);
-        if x < 0.0 { Int([0; N]) - magnitude } else { magnitude }
+        if x < 0.0 { -Int(limbs) } else { Int(limbs) }
     }
 
     /// The integer times 2^shift, for a shift that is not negative.
     pub(super) fn shifted(self, shift: i32) -> Self {
         let (limb, bit) = (shift as usize / 64, shift % 64);
         let from = |i: usize| i.checked_sub(limb).map_or(0, |i| self.0[i]);
-        Int(std::array::from_fn(|i| {
+        Int(from_fn(|i| {
             let low = if i > 0 { from(i - 1) } else { 0 };
             let wide = (u128::from(from(i)) << 64) | u128::from(low);
             (wide >> (64 - bit)) as u64
         }))
     }
 
+    /// Whether the integer is less than zero.
+    fn is_negative(self) -> bool {
+        self.0[N - 1] >> 63 != 0
+    }
+
+    /// The product, exactly: `R` is the sum of the lengths of the factors.
+    pub(super) fn times<const M: usize, const R: usize>(self, other: Int<M>) -> Int<R> {
+        const { assert!(R == N + M) }
+        let mut limbs = [0; R];
+        for i in 0..N {
+            let mut carry = 0;
+            for j in 0..M {
+                // At most (2^64 - 1)^2 + 2 (2^64 - 1) = 2^128 - 1: no overflow.
+                let product = u128::from(self.0[i]) * u128::from(other.0[j]);
+                let sum = product + u128::from(limbs[i + j]) + carry;
+                limbs[i + j] = sum as u64;
+                carry = sum >> 64;
+            }
+            limbs[i + M] = carry as u64;
+        }
+        // That was the product of the limbs without signs. A negative integer a of N limbs
+        // reads a + 2^(64 N) there, and adds 2^(64 N) b to the product.
+        let unsigned = Int(limbs);
+        let high = |sign: bool, n: usize, of: &dyn Fn(usize) -> u64| {
+            Int(from_fn(|i| if sign && i >= n { of(i - n) } else { 0 }))
+        };
+        unsigned
+            - high(self.is_negative(), N, &|i| other.0[i])
+            - high(other.is_negative(), M, &|i| self.0[i])
+    }
+
     /// The sign.
     pub(super) fn sign(self) -> Sign {
-        if self.0[N - 1] >> 63 != 0 {
+        if self.is_negative() {
             Sign::Negative
         } else if self.0.iter().all(|&limb| limb == 0) {
             Sign::Zero
@@ -63,11 +94,19 @@ impl<const N: usize> Add for Int<N> {
 
     fn add(self, other: Self) -> Self {
         let mut carry = 0;
-        Int(std::array::from_fn(|i| {
+        Int(from_fn(|i| {
             let sum = u128::from(self.0[i]) + u128::from(other.0[i]) + carry;
             carry = sum >> 64;
             sum as u64
         }))
+    }
+}
+
+impl<const N: usize> Neg for Int<N> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Int([0; N]) - self
     }
 }
 
@@ -77,30 +116,11 @@ impl<const N: usize> Sub for Int<N> {
     fn sub(self, other: Self) -> Self {
         // a - b = a + !b + 1 in two's complement.
         let mut carry = 1;
-        Int(std::array::from_fn(|i| {
+        Int(from_fn(|i| {
             let sum = u128::from(self.0[i]) + u128::from(!other.0[i]) + carry;
             carry = sum >> 64;
             sum as u64
         }))
-    }
-}
-
-impl<const N: usize> Mul for Int<N> {
-    type Output = Self;
-
-    fn mul(self, other: Self) -> Self {
-        let mut limbs = [0; N];
-        for i in 0..N {
-            let factor = u128::from(self.0[i]);
-            let mut carry = 0;
-            for j in 0..N - i {
-                // At most (2^64 - 1)^2 + 2 (2^64 - 1) = 2^128 - 1: no overflow.
-                let sum = factor * u128::from(other.0[j]) + u128::from(limbs[i + j]) + carry;
-                limbs[i + j] = sum as u64;
-                carry = sum >> 64;
-            }
-        }
-        Int(limbs)
     }
 }
 
