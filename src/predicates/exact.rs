@@ -148,7 +148,7 @@ pub(super) fn lifted_plane(
 
 /// The sign of the determinant of the rows b - a, c - a, d - a.
 #[cold]
-pub(super) fn volume(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3]) -> Sign {
+pub(super) fn volume([a, b, c, d]: [&[f64; 3]; 4]) -> Sign {
     fn sign<const W: usize, const W2: usize, const W3: usize>(
         [b, c, d, a]: [&[f64; 3]; 4],
         grid: &Grid,

@@ -51,17 +51,18 @@
 
 use super::double_double::Pairs;
 use super::exact;
+use super::grid::{is_multiple, step};
 use super::position;
 use super::sign::Sign;
 use super::stages::{self, Stage};
 use std::array::from_fn;
 
 /// Times X Y Z M: bounds the error of the determinant in floats.
-const MAXIMUM_BOUND: f64 = 410.0 * UNIT;
+pub(super) const MAXIMUM_BOUND: f64 = 410.0 * UNIT;
 /// Times the permanent: bounds the error of the determinant in floats.
-const PERMANENT_BOUND: f64 = 17.5 * UNIT;
+pub(super) const PERMANENT_BOUND: f64 = 17.5 * UNIT;
 /// Times X Y Z M: bounds the error of the determinant in pairs of floats.
-const PAIRS_BOUND: f64 = 6400.0 * UNIT * UNIT;
+pub(super) const PAIRS_BOUND: f64 = 6400.0 * UNIT * UNIT;
 /// The relative error of one rounding: 2^-53.
 pub(super) const UNIT: f64 = f64::EPSILON / 2.0;
 /// 2^-1000: added to a bound, it covers the bound's own underflow.
@@ -75,17 +76,8 @@ type Column = [f64; 4];
 /// `WEIGHTED`.
 #[inline(always)]
 pub(super) fn conflict<const WEIGHTED: bool>(points: [&[f64; 4]; 5]) -> Sign {
-    let [x, y, z, w] = differences(points);
-    let square: Column = from_fn(|i| x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
-    let (lift, magnitude) = if WEIGHTED {
-        (from_fn(|i| square[i] - w[i]), from_fn(|i| square[i] + w[i].abs()))
-    } else {
-        (square, square)
-    };
-    let determinant = laplace([x, y, z, lift]);
-    let product = largest(x) * largest(y) * largest(z) * largest(magnitude);
-    let bound = MAXIMUM_BOUND * product + TINY;
-    if determinant.abs() > bound {
+    let (determinant, product) = floats::<WEIGHTED>(points);
+    if determinant.abs() > MAXIMUM_BOUND * product + TINY {
         stages::count(Stage::Maximum);
         return -Sign::of(determinant);
     }
@@ -96,8 +88,11 @@ pub(super) fn conflict<const WEIGHTED: bool>(points: [&[f64; 4]; 5]) -> Sign {
 #[cold]
 #[inline(never)]
 fn further<const WEIGHTED: bool>(points: [&[f64; 4]; 5], determinant: f64, product: f64) -> Sign {
-    let columns = differences(points);
-    if determinant.abs() > PERMANENT_BOUND * permanent::<WEIGHTED>(columns) + TINY {
+    if on_grid::<WEIGHTED>(points, exact_step(product)) {
+        stages::count(Stage::Grid);
+        return -Sign::of(determinant);
+    }
+    if determinant.abs() > PERMANENT_BOUND * permanent::<WEIGHTED>(points) + TINY {
         stages::count(Stage::Permanent);
         return -Sign::of(determinant);
     }
@@ -106,9 +101,36 @@ fn further<const WEIGHTED: bool>(points: [&[f64; 4]; 5], determinant: f64, produ
         stages::count(Stage::Pairs);
         return -Sign::of(determinant);
     }
+    if on_grid::<WEIGHTED>(points, zero_step(product)) {
+        stages::count(Stage::Pairs);
+        return Sign::Zero;
+    }
     stages::count(Stage::Exact);
     let weights = points.map(|p| p[3]);
     -exact::lifted_space(points.map(position), WEIGHTED.then_some(&weights))
+}
+
+/// The determinant in floats, and X Y Z M.
+#[inline(always)]
+pub(super) fn floats<const WEIGHTED: bool>(points: [&[f64; 4]; 5]) -> (f64, f64) {
+    let [x, y, z, w] = differences(points);
+    let square: Column = from_fn(|i| x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+    let (lift, magnitude) = if WEIGHTED {
+        (from_fn(|i| square[i] - w[i]), from_fn(|i| square[i] + w[i].abs()))
+    } else {
+        (square, square)
+    };
+    let product = largest(x) * largest(y) * largest(z) * largest(magnitude);
+    (laplace::<false>([x, y, z, lift]), product)
+}
+
+/// The permanent P in floats.
+#[inline(always)]
+pub(super) fn permanent<const WEIGHTED: bool>(points: [&[f64; 4]; 5]) -> f64 {
+    let [x, y, z, w] = differences(points).map(|column| column.map(f64::abs));
+    let weight = |i: usize| if WEIGHTED { w[i] } else { 0.0 };
+    let magnitude = from_fn(|i| x[i] * x[i] + y[i] * y[i] + z[i] * z[i] + weight(i));
+    laplace::<true>([x, y, z, magnitude])
 }
 
 /// The differences from the fifth point, by columns.
@@ -130,10 +152,11 @@ pub(super) fn larger(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
-/// The determinant of four columns in floats.
+/// The determinant of four columns, or their permanent.
 #[inline(always)]
-fn laplace([x, y, z, l]: [Column; 4]) -> f64 {
-    let minor = |p: &Column, q: &Column, i: usize, j: usize| p[i] * q[j] - p[j] * q[i];
+fn laplace<const PERMANENT: bool>([x, y, z, l]: [Column; 4]) -> f64 {
+    let sub = |a: f64, b: f64| if PERMANENT { a + b } else { a - b };
+    let minor = |p: &Column, q: &Column, i: usize, j: usize| sub(p[i] * q[j], p[j] * q[i]);
     // The minors of the rows ab, bc, cd, da, and of ac, bd.
     let ring = |p, q| -> Column { from_fn(|i| minor(p, q, i, (i + 1) % 4)) };
     let diagonal = |p, q| -> [f64; 2] { from_fn(|i| minor(p, q, i, i + 2)) };
@@ -141,40 +164,25 @@ fn laplace([x, y, z, l]: [Column; 4]) -> f64 {
     let (diagonal_xy, diagonal_zl) = (diagonal(&x, &y), diagonal(&z, &l));
     let sides: Column = from_fn(|i| ring_xy[i] * ring_zl[(i + 2) % 4]);
     let diagonals: [f64; 2] = from_fn(|i| diagonal_xy[i] * diagonal_zl[1 - i]);
-    ((sides[0] + sides[2]) - (sides[1] + sides[3])) - (diagonals[0] + diagonals[1])
-}
-
-/// The permanent of the absolute values, with L in the place of |l|.
-#[inline(always)]
-fn permanent<const WEIGHTED: bool>([x, y, z, w]: [Column; 4]) -> f64 {
-    let weight = |i: usize| if WEIGHTED { w[i].abs() } else { 0.0 };
-    let l: Column = from_fn(|i| x[i] * x[i] + y[i] * y[i] + z[i] * z[i] + weight(i));
-    let [x, y, z] = [x, y, z].map(|column| column.map(f64::abs));
-    let minor = |p: &Column, q: &Column, i: usize, j: usize| p[i] * q[j] + p[j] * q[i];
-    let ring = |p, q| -> Column { from_fn(|i| minor(p, q, i, (i + 1) % 4)) };
-    let diagonal = |p, q| -> [f64; 2] { from_fn(|i| minor(p, q, i, i + 2)) };
-    let (ring_xy, ring_zl) = (ring(&x, &y), ring(&z, &l));
-    let (diagonal_xy, diagonal_zl) = (diagonal(&x, &y), diagonal(&z, &l));
-    let sides: Column = from_fn(|i| ring_xy[i] * ring_zl[(i + 2) % 4]);
-    let diagonals: [f64; 2] = from_fn(|i| diagonal_xy[i] * diagonal_zl[1 - i]);
-    ((sides[0] + sides[2]) + (sides[1] + sides[3])) + (diagonals[0] + diagonals[1])
+    sub(sub(sides[0] + sides[2], sides[1] + sides[3]), diagonals[0] + diagonals[1])
 }
 
 /// The determinant in pairs of floats.
 #[inline(always)]
-fn pairs<const WEIGHTED: bool>([a, b, c, d, e]: [&[f64; 4]; 5]) -> f64 {
+pub(super) fn pairs<const WEIGHTED: bool>([a, b, c, d, e]: [&[f64; 4]; 5]) -> f64 {
     let column = |i: usize| Pairs::difference([a[i], b[i], c[i], d[i]], [e[i]; 4]);
     let [x, y, z] = [column(0), column(1), column(2)];
     let mut l = x.mul(&x).add(&y.mul(&y)).add(&z.mul(&z));
     if WEIGHTED {
         l = l.sub(&column(3));
     }
-    let next = [1, 2, 3, 0];
-    let ring = |p: &Pairs<4>, q: &Pairs<4>| p.mul(&q.pick(next)).sub(&p.pick(next).mul(q));
+    let ring = |p: &Pairs<4>, q: &Pairs<4>| {
+        let next = [1, 2, 3, 0];
+        p.mul(&q.pick(next)).sub(&p.pick(next).mul(q))
+    };
     let diagonal = |p: &Pairs<4>, q: &Pairs<4>| {
-        let ([p, p_next], [q, q_next]) =
-            ([p.pick([0, 1]), p.pick([2, 3])], [q.pick([0, 1]), q.pick([2, 3])]);
-        p.mul(&q_next).sub(&p_next.mul(&q))
+        let (p, p_next) = (p.pick([0, 1]), p.pick([2, 3]));
+        p.mul(&q.pick([2, 3])).sub(&p_next.mul(&q.pick([0, 1])))
     };
     let sides = ring(&x, &y).mul(&ring(&z, &l).pick([2, 3, 0, 1]));
     let diagonals = diagonal(&x, &y).mul(&diagonal(&z, &l).pick([1, 0]));
@@ -182,4 +190,29 @@ fn pairs<const WEIGHTED: bool>([a, b, c, d, e]: [&[f64; 4]; 5]) -> f64 {
     let sides = sides.pick([0]).sub(&sides.pick([1]));
     let determinant = sides.sub(&diagonals.pick([0]).add(&diagonals.pick([1])));
     determinant.hi[0] + determinant.lo[0]
+}
+
+/// Whether the coordinates are multiples of 2^k, and the weights of 2^(2 k).
+#[inline(always)]
+pub(super) fn on_grid<const WEIGHTED: bool>(points: [&[f64; 4]; 5], k: i32) -> bool {
+    let multiples = |p: &[f64; 4]| position(p).iter().all(|&x| is_multiple(x, k));
+    points.iter().all(|p| multiples(p) && (!WEIGHTED || is_multiple(p[3], 2 * k)))
+}
+
+/// The step of a grid on which the determinant in floats is exact, for X Y Z M below 2^w.
+///
+/// In units of the grid all values are integers, and none is rounded if 2^5 X Y Z M <= 2^53: the
+/// determinant is below 24 X Y Z M, and what leads to it is not larger, as X, Y, Z, M are at least
+/// 1. (Where one of them is 0, a column is, and the determinant in floats is 0 as well.)
+pub(super) fn exact_step(product: f64) -> i32 {
+    step(product, 5 - 53, 5)
+}
+
+/// The step of a grid on which the determinant is zero if stage 3 cannot tell its sign.
+///
+/// Then it is a multiple of 2^(5 k), and at most 2 * 6400 * 2^-106 X Y Z M + 2^-999 in absolute
+/// value. The first part is below 2^(w - 92.3) for X Y Z M < 2^w; if that is at most
+/// 2^(5 k - 0.3), then the sum is below 2^(5 k), since k is at least -190.
+pub(super) fn zero_step(product: f64) -> i32 {
+    step(product, -92, 5)
 }

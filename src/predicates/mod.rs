@@ -26,13 +26,17 @@ mod angle;
 mod circle;
 pub(crate) mod double_double;
 mod exact;
+mod grid;
 mod integer;
 mod lifted;
 mod orient;
 mod perturb;
 mod sign;
 mod sphere;
+#[cfg(feature = "count-stages")]
 pub mod stages;
+#[cfg(not(feature = "count-stages"))]
+mod stages;
 
 pub use angle::angle;
 pub use orient::{collinear, coplanar_orientation, orient3d};
@@ -53,3 +57,6 @@ pub fn position(row: &[f64; 4]) -> &[f64; 3] {
     let [position @ .., _] = row;
     position
 }
+
+#[cfg(test)]
+mod tests;

@@ -9,7 +9,8 @@
 //! of the bound. In a plane it is 2 + 1 + 1 = 4 roundings and 2 terms: 8 u X Y, and 9 u is enough.
 
 use super::exact;
-use super::lifted::{TINY, UNIT, larger};
+use super::grid::{is_multiple, step};
+use super::lifted::{UNIT, larger};
 use super::sign::Sign;
 
 /// The orientation of a, b, c, d: the sign of the determinant of b - a, c - a, d - a.
@@ -23,10 +24,22 @@ pub fn orient3d(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3]) -> Sign 
     let minor = |p: [f64; 3], q: [f64; 3]| p[0] * q[1] - p[1] * q[0];
     let determinant = (minor(p, q) * r[2] + minor(q, r) * p[2]) - minor(p, r) * q[2];
     let largest = |i: usize| larger(larger(p[i].abs(), q[i].abs()), r[i].abs());
-    if determinant.abs() > 50.0 * UNIT * (largest(0) * largest(1) * largest(2)) + TINY {
+    let product = largest(0) * largest(1) * largest(2);
+    if determinant.abs() > 50.0 * UNIT * product {
         return Sign::of(determinant);
     }
-    exact::volume(a, b, c, d)
+    further([a, b, c, d], determinant, product)
+}
+
+/// The stages of [`orient3d`] after the first, given its determinant and X Y Z.
+#[cold]
+#[inline(never)]
+fn further(points: [&[f64; 3]; 4], determinant: f64, product: f64) -> Sign {
+    let k = step(product, 3 - 53, 3);
+    if points.iter().all(|p| p.iter().all(|&x| is_multiple(x, k))) {
+        return Sign::of(determinant);
+    }
+    exact::volume(points)
 }
 
 /// The orientation of a, b, c projected on two axes.
@@ -35,7 +48,7 @@ pub(super) fn orient2d(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], axes: [usize; 2
     let (p, q) = (row(b), row(c));
     let determinant = p[0] * q[1] - p[1] * q[0];
     let largest = |i: usize| larger(p[i].abs(), q[i].abs());
-    if determinant.abs() > 9.0 * UNIT * (largest(0) * largest(1)) + TINY {
+    if determinant.abs() > 9.0 * UNIT * (largest(0) * largest(1)) {
         return Sign::of(determinant);
     }
     exact::area(a, b, c, axes)

@@ -100,20 +100,20 @@ fn first_decided<'a, const V: usize>(
     orientation: impl Fn([&'a [f64; 3]; V]) -> Sign,
 ) -> bool {
     stages::count(Stage::Perturbed);
-    let mut order: [usize; V] = std::array::from_fn(|i| i);
-    order.sort_unstable_by(|&i, &j| lexicographic(vertices[j], vertices[i]));
-    for i in order {
-        if lexicographic(vertices[i], e) == Ordering::Less {
+    let mut left = [true; V];
+    loop {
+        let vertices_left = (0..V).filter(|&i| left[i]);
+        let largest = vertices_left.max_by(|&i, &j| lexicographic(vertices[i], vertices[j]));
+        let Some(i) = largest.filter(|&i| lexicographic(vertices[i], e).is_gt()) else {
             return false;
-        }
+        };
         let mut replaced = vertices;
         replaced[i] = e;
         match orientation(replaced) {
-            Sign::Zero => {}
+            Sign::Zero => left[i] = false,
             sign => return sign.is_positive(),
         }
     }
-    false
 }
 
 /// The order of positions by x, then y, then z. Finite coordinates are always comparable.

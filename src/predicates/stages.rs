@@ -1,8 +1,9 @@
-//! How many tests each stage settles, for tests and benchmarks (feature `count-stages`).
+//! How many conflict tests each stage settles, for tests and benchmarks.
 //!
-//! Without the feature [`count`] is empty.
+//! Without the feature `count-stages` nothing is counted, and nothing is spent on it.
 
-/// A stage of a predicate.
+/// A stage of the conflict tests, of [`insphere`](super::insphere) and of
+/// [`power_test`](super::power_test).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(usize)]
 pub enum Stage {

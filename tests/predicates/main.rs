@@ -1,5 +1,6 @@
 //! The predicates against exact rationals, and the perturbation against brute force.
 
+mod consistency;
 mod definition;
 mod rational;
 mod sets;
