@@ -179,15 +179,3 @@ pub(super) fn area(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], axes: [usize; 2]) -
     let grid = Grid::of(&points, None);
     with_width!(grid, sign::<1, 2>(points, axes, &grid))
 }
-
-/// The sign of (a - b) . (c - b), for coordinates below 2^400: 2 * 613 + 3 <= 64 * 33 bits.
-#[cold]
-pub(super) fn scalar(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]) -> Sign {
-    fn sign<const N: usize>([a, c, b]: [&[f64; 3]; 3], grid: &Grid) -> Sign {
-        let [p, q] = [a, c].map(|p| grid.difference::<N>(p, b));
-        (p[0] * q[0] + p[1] * q[1] + p[2] * q[2]).sign()
-    }
-    let points = [a, c, b];
-    let grid = Grid::of(&points, None);
-    with_width!(2 * grid.bits + 3, sign(points, &grid))
-}

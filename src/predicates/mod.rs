@@ -22,7 +22,6 @@
 //!   low, is a multiple of 2^(-3 * 212 - 424) = 2^-1060. A float of such a size is exact down to
 //!   2^-1074.
 
-mod angle;
 mod circle;
 pub(crate) mod double_double;
 mod exact;
@@ -38,7 +37,6 @@ pub mod stages;
 #[cfg(not(feature = "count-stages"))]
 mod stages;
 
-pub use angle::angle;
 pub use orient::{collinear, coplanar_orientation, orient3d};
 pub use perturb::{
     delaunay_conflict, delaunay_conflict_in_plane, regular_conflict, regular_conflict_in_plane,
