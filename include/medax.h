@@ -285,6 +285,11 @@ MEDAX_API uint64_t medax_last_error_index(void);
 typedef struct medax_complex medax_complex;
 
 /**
+ * What a file holds, before points or a complex are made of it.
+ */
+typedef struct medax_file medax_file;
+
+/**
  * The cells of each vertex of a triangulation, and its edges.
  */
 typedef struct medax_incidence medax_incidence;
@@ -300,9 +305,24 @@ typedef struct medax_job medax_job;
 typedef struct medax_points medax_points;
 
 /**
+ * The poles of a sample, and their balls.
+ */
+typedef struct medax_poles medax_poles;
+
+/**
+ * A power crust with all that it was made from.
+ */
+typedef struct medax_power_crust medax_power_crust;
+
+/**
  * A Delaunay or regular triangulation: finite cells and their neighbours.
  */
 typedef struct medax_triangulation medax_triangulation;
+
+/**
+ * Sentences about what a file did not hold, or what was left out of it.
+ */
+typedef struct medax_warnings medax_warnings;
 
 /* ---- 3. Views --------------------------------------------------------------------------------
  *
@@ -348,6 +368,24 @@ typedef struct {
      */
     size_t cols;
 } medax_view_u32;
+
+/**
+ * Rows of bytes, such as flags that are 0 or 1.
+ */
+typedef struct {
+    /**
+     * `rows * cols` values; NULL if there are none.
+     */
+    const uint8_t *data;
+    /**
+     * The number of rows.
+     */
+    size_t rows;
+    /**
+     * The number of values in a row.
+     */
+    size_t cols;
+} medax_view_u8;
 
 /**
  * Rows of varying length: row `i` is `indices[offsets[i]]` to `indices[offsets[i + 1] - 1]`.
@@ -1095,7 +1133,441 @@ MEDAX_API const medax_incidence *medax_incidence_clone(const medax_incidence *in
  */
 MEDAX_API void medax_incidence_free(const medax_incidence *incidence);
 
-/* ---- 9. Complex ------------------------------------------------------------------------------
+/* ---- 9. Poles --------------------------------------------------------------------------------
+ *
+ * The first pole of a sample is the farthest vertex of its Voronoi cell, the second the farthest one
+ * on the other side. A Voronoi vertex that several samples choose is one pole. The ball round a
+ * pole that passes through its samples is its polar ball.
+ *
+ * Poles with the far box are those of the power crust: eight points far round the sample make
+ * every Voronoi cell bounded. These eight are in no count but those of #medax_poles_triangulation.
+ */
+
+/**
+ * The settings of poles: none yet but the size.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+} medax_poles_options;
+
+/**
+ * Sets poles options to their defaults.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_status medax_poles_options_init(medax_poles_options *options, size_t struct_size);
+
+/**
+ * Builds the poles of a sample with the far box: those from which a power crust is made.
+ *
+ * \param points The sample.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_poles Receives the poles, which the caller frees with #medax_poles_free.
+ * \return `MEDAX_STATUS_OK`; `TOO_FEW_POINTS` below four distinct points; `DEGENERATE` when all
+ *         lie in a plane; `COORDINATE_RANGE` where there is no room for the far box;
+ *         `LIMIT_EXCEEDED` past 2^30 cells; `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`,
+ *         `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * One Delaunay triangulation, then O(m log m) for its m cells. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_poles_build_with_far_box(const medax_points *points,
+                                            const medax_poles_options *options,
+                                            const medax_job *job,
+                                            const medax_poles **out_poles);
+
+/**
+ * The triangulation whose cells' circumcentres the poles are.
+ *
+ * \param poles The poles.
+ * \param out_triangulation Receives the triangulation, which the caller frees with
+ *        #medax_triangulation_free. Its vertices are the samples, and after them the far box if
+ *        there is one.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_poles_triangulation(const medax_poles *poles,
+                                       const medax_triangulation **out_triangulation);
+
+/**
+ * Whether the poles were chosen with the far box.
+ *
+ * \param poles The poles; NULL was not.
+ * \return True for the poles of a power crust.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API bool medax_poles_has_far_box(const medax_poles *poles);
+
+/**
+ * The polar balls. Poles are numbered by the spatial rank of their centres.
+ *
+ * \param poles The poles, or NULL.
+ * \return p x 4: the three coordinates of the centre and the radius, in input units. Borrowed from
+ *         `poles`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_poles_balls(const medax_poles *poles);
+
+/**
+ * The squared radius of each polar ball, rounded once: the weight of the pole in the power
+ * diagram.
+ *
+ * \param poles The poles, or NULL.
+ * \return p x 1, in squared input units. Borrowed from `poles`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_poles_radii_squared(const medax_poles *poles);
+
+/**
+ * The cell of #medax_poles_triangulation whose circumcentre each pole is.
+ *
+ * \param poles The poles, or NULL.
+ * \return p x 1 cells: the least chosen one if several have the same circumsphere. Borrowed from
+ *         `poles`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_poles_cell_of_pole(const medax_poles *poles);
+
+/**
+ * Whether the Delaunay cell of each pole has a corner of the far box: such poles are outer from the
+ * start.
+ *
+ * \param poles The poles, or NULL.
+ * \return p x 1 flags, 0 or 1. Borrowed from `poles`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u8 medax_poles_touches_far_box(const medax_poles *poles);
+
+/**
+ * The poles of each sample.
+ *
+ * \param poles The poles, or NULL.
+ * \return n x 2: the first and second pole of each vertex of the points; `MEDAX_NONE` where there is
+ *         none, or it is at infinity. Borrowed from `poles`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_u32 medax_poles_pole_of_sample(const medax_poles *poles);
+
+/**
+ * The unit vector from each sample towards its first pole: normal to the surface, on either side
+ * of it.
+ *
+ * \param poles The poles, or NULL.
+ * \return n x 3. Borrowed from `poles`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_poles_normals(const medax_poles *poles);
+
+/**
+ * The distance from points to the nearest pole: an estimate of the local feature size, the
+ * distance to the medial axis.
+ *
+ * \param poles The poles.
+ * \param query_xyz `query_count` x 3 coordinates; NULL only if `query_count` is 0.
+ * \param query_count The number of points.
+ * \param job NULL for a default job.
+ * \param out_distances Receives `query_count` distances in input units, infinite if there is no
+ *        pole; the caller's buffer, NULL only if `query_count` is 0.
+ * \return `MEDAX_STATUS_OK`; `NON_FINITE` or `COORDINATE_RANGE` with the row of a query;
+ *         `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(p log p) for the search tree, then O(log p) a query. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_poles_feature_size(const medax_poles *poles,
+                                      const double *query_xyz,
+                                      size_t query_count,
+                                      const medax_job *job,
+                                      double *out_distances);
+
+/**
+ * Checks poles: that each is what its samples' Voronoi cells make it.
+ *
+ * \param poles The poles.
+ * \param job NULL for a default job.
+ * \param out_report Filled, its `struct_size` being set.
+ * \return `MEDAX_STATUS_OK` whatever was found; `NULL_ARGUMENT`, `INVALID_ARGUMENT` for a report
+ *         of no version, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * As building the poles anew. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_poles_validate(const medax_poles *poles,
+                                  const medax_job *job,
+                                  medax_validation *out_report);
+
+/**
+ * One more reference to poles.
+ *
+ * \param poles The poles, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_poles *medax_poles_clone(const medax_poles *poles);
+
+/**
+ * Gives one reference to poles back; the last one frees them.
+ *
+ * \param poles The poles; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_poles_free(const medax_poles *poles);
+
+/* ---- 10. Power crust --------------------------------------------------------------------------
+ *
+ * The poles are labelled inner and outer; the power diagram of their balls then falls into the solid
+ * and its complement, and the power crust is the boundary between them: closed by construction,
+ * made of convex polygons, and pointing out of the solid. A pole with an unbounded power cell is
+ * outer, and so is one that no label reached. The power shape of a side connects its poles as the
+ * regular triangulation of the balls does: an approximation of the medial axis.
+ * (Amenta, Choi, Kolluri 2001, The Power Crust.)
+ */
+
+/**
+ * The side of the surface on which a pole lies.
+ */
+enum medax_label
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Outside the solid.
+     */
+    MEDAX_LABEL_OUTER = 0,
+    /**
+     * Inside the solid.
+     */
+    MEDAX_LABEL_INNER = 1,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum medax_label medax_label;
+#else
+typedef uint32_t medax_label;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * The settings of a power crust.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * Neighbouring balls intersect deeply, and so lie on the same side, where -cos of the angle
+     * between their spheres exceeds this; in [0, 1], 0.4 by default.
+     */
+    double deep;
+} medax_power_crust_options;
+
+/**
+ * Sets power crust options to their defaults.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_power_crust_options_init(medax_power_crust_options *options,
+                                            size_t struct_size);
+
+/**
+ * Builds the power crust of a sample.
+ *
+ * \param points The sample.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_crust Receives the power crust, which the caller frees with #medax_power_crust_free.
+ * \return As #medax_poles_build_with_far_box; also `INVALID_ARGUMENT` for options out of range.
+ *
+ * Two triangulations: of the n samples, and of their at most 2 n poles. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_power_crust_build(const medax_points *points,
+                                     const medax_power_crust_options *options,
+                                     const medax_job *job,
+                                     const medax_power_crust **out_crust);
+
+/**
+ * Builds the power crust of poles, without choosing them again.
+ *
+ * \param poles Poles with the far box, which the power crust keeps alive.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_crust Receives the power crust, which the caller frees with #medax_power_crust_free.
+ * \return As #medax_power_crust_build; also `MISMATCH` for poles without the far box.
+ *
+ * One regular triangulation of the poles. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_power_crust_build_from_poles(const medax_poles *poles,
+                                                const medax_power_crust_options *options,
+                                                const medax_job *job,
+                                                const medax_power_crust **out_crust);
+
+/**
+ * The surface: convex polygons that point out of the solid. Faces have the attributes `inner_pole`
+ * and `outer_pole`, vertices `cell`: the cell of #medax_power_crust_regular whose orthocentre they
+ * are.
+ *
+ * \param crust The power crust.
+ * \param out_surface Receives the surface, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_power_crust_surface(const medax_power_crust *crust,
+                                       const medax_complex **out_surface);
+
+/**
+ * The power shape of one side: its poles, with the attributes `radius` and `pole`, and the faces,
+ * edges and cells of #medax_power_crust_regular between them.
+ *
+ * \param crust The power crust.
+ * \param label A #medax_label: which side.
+ * \param out_shape Receives the shape, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a number that is no label.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_power_crust_shape(const medax_power_crust *crust,
+                                     uint32_t label,
+                                     const medax_complex **out_shape);
+
+/**
+ * The poles of a power crust.
+ *
+ * \param crust The power crust.
+ * \param out_poles Receives the poles, which the caller frees with #medax_poles_free.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_power_crust_poles(const medax_power_crust *crust,
+                                     const medax_poles **out_poles);
+
+/**
+ * The regular triangulation of the polar balls. Poles are the rows of its points:
+ * #medax_triangulation_row_of_vertex names the pole of each vertex.
+ *
+ * \param crust The power crust.
+ * \param out_regular Receives the triangulation, which the caller frees with
+ *        #medax_triangulation_free.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_power_crust_regular(const medax_power_crust *crust,
+                                       const medax_triangulation **out_regular);
+
+/**
+ * The label of each pole.
+ *
+ * \param crust The power crust, or NULL.
+ * \return p x 1: a #medax_label. Borrowed from `crust`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_power_crust_labels(const medax_power_crust *crust);
+
+/**
+ * Whether a pole takes part in the power diagram: it is neither hidden nor a lighter duplicate of
+ * another pole's centre.
+ *
+ * \param crust The power crust; NULL has no poles.
+ * \param pole The pole.
+ * \return False also for a number that is no pole.
+ *
+ * O(log p). Since 0.1.
+ */
+MEDAX_API bool medax_power_crust_is_visible(const medax_power_crust *crust, uint32_t pole);
+
+/**
+ * The number of poles that no label reached, and that are outer for that reason.
+ *
+ * \param crust The power crust; NULL has none.
+ * \return The number of poles.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API size_t medax_power_crust_unreached_count(const medax_power_crust *crust);
+
+/**
+ * The number of poles made outer because their power cells are unbounded.
+ *
+ * \param crust The power crust; NULL has none.
+ * \return The number of poles.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API size_t medax_power_crust_forced_count(const medax_power_crust *crust);
+
+/**
+ * Checks a power crust, by its combinatorics alone: the labels, that the surface is closed and is
+ * the boundary between inner and outer cells, the shapes.
+ *
+ * \param crust The power crust.
+ * \param job NULL for a default job.
+ * \param out_report Filled, its `struct_size` being set.
+ * \return `MEDAX_STATUS_OK` whatever was found; `NULL_ARGUMENT`, `INVALID_ARGUMENT` for a report
+ *         of no version, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(p log p). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_power_crust_validate(const medax_power_crust *crust,
+                                        const medax_job *job,
+                                        medax_validation *out_report);
+
+/**
+ * One more reference to a power crust.
+ *
+ * \param crust The power crust, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_power_crust *medax_power_crust_clone(const medax_power_crust *crust);
+
+/**
+ * Gives one reference to a power crust back; the last one frees it.
+ *
+ * \param crust The power crust; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_power_crust_free(const medax_power_crust *crust);
+
+/* ---- 11. Complex ------------------------------------------------------------------------------
  *
  * The one output type: vertices; faces, which are polygons; loose edges, which are no side of a
  * face; volume cells; named attributes on each of them; and the faces cut into triangles.
@@ -1455,6 +1927,287 @@ MEDAX_API const medax_complex *medax_complex_clone(const medax_complex *complex)
  * Since 0.1.
  */
 MEDAX_API void medax_complex_free(const medax_complex *complex);
+
+/* ---- 12. Files --------------------------------------------------------------------------------
+ *
+ * The ending of a path names the format. Read: PLY (text, binary), OFF, OBJ, STL (text, binary),
+ * XYZ, PTS, TXT and CSV (a row a line), PWN, MA (medial meshes). Written: PLY, OFF, OBJ, STL, XYZ,
+ * PTS, TXT, CSV, MA, VTU. Paths are UTF-8.
+ *
+ * Reading trusts nothing, and an error names the line of a text or the byte of a binary file.
+ * Writing goes to a file beside the given name, which is moved into place when it is complete:
+ * after an error, a file that was there before is as it was.
+ */
+
+/**
+ * How to write a file.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * 1 writes PLY as text; 0, the default: binary, little endian.
+     */
+    uint32_t text;
+    /**
+     * Must be 0.
+     */
+    uint32_t reserved;
+} medax_write_options;
+
+/**
+ * Reads the contents of a file, of which points or a complex can then be made.
+ *
+ * \param path_utf8 The path.
+ * \param job NULL for a default job.
+ * \param out_file Receives the contents, which the caller frees with #medax_file_free.
+ * \return `MEDAX_STATUS_OK`; `FORMAT` with the line or byte where the file is malformed or ends too
+ *         early; `UNSUPPORTED` for a kind of file that is not read; `IO`; `LIMIT_EXCEEDED` past
+ *         2^32 - 2 rows; `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`, `BUSY`,
+ *         `OUT_OF_MEMORY`.
+ *
+ * O(size of the file). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_file_read(const char *path_utf8,
+                             const medax_job *job,
+                             const medax_file **out_file);
+
+/**
+ * Whether a file has a face or an edge; one without either is a set of points.
+ *
+ * \param file The contents; NULL has none.
+ * \return True for a mesh.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API bool medax_file_is_mesh(const medax_file *file);
+
+/**
+ * The rows of a file's vertex table, as they are: they may be NaN.
+ *
+ * \param file The contents, or NULL.
+ * \return v x 3 coordinates. Borrowed from `file`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_file_vertices(const medax_file *file);
+
+/**
+ * The faces of a file.
+ *
+ * \param file The contents, or NULL.
+ * \return One row a face: a ring of three vertices or more. Borrowed from `file`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_rows medax_file_faces(const medax_file *file);
+
+/**
+ * The edges that a file lists, sides of faces among them.
+ *
+ * \param file The contents, or NULL.
+ * \return e x 2 vertices. Borrowed from `file`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_file_edges(const medax_file *file);
+
+/**
+ * What was left out in reading a file.
+ *
+ * \param file The contents.
+ * \param out_warnings Receives the warnings, which the caller frees with #medax_warnings_free.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * O(warnings). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_file_warnings(const medax_file *file,
+                                 const medax_warnings **out_warnings);
+
+/**
+ * Makes points of a file: of a mesh the vertices that a face or an edge uses, else all. Rows are
+ * those of the file; an unused vertex maps to `MEDAX_NONE`.
+ *
+ * \param file The contents.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_points Receives the points, which the caller frees with #medax_points_free.
+ * \return As #medax_points_create_f64.
+ *
+ * O(n log n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_file_points(const medax_file *file,
+                               const medax_points_options *options,
+                               const medax_job *job,
+                               const medax_points **out_points);
+
+/**
+ * Makes a complex of a file: all vertices, the faces, the edges that are no side of a face, the
+ * attributes.
+ *
+ * \param file The contents.
+ * \param job NULL for a default job.
+ * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`; `NON_FINITE` with the row of a vertex; `FORMAT` with the face or edge
+ *         that repeats a vertex in succession; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`,
+ *         `OUT_OF_MEMORY`.
+ *
+ * O(n log n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_file_complex(const medax_file *file,
+                                const medax_job *job,
+                                const medax_complex **out_complex);
+
+/**
+ * One more reference to a file's contents.
+ *
+ * \param file The contents, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_file *medax_file_clone(const medax_file *file);
+
+/**
+ * Gives one reference to a file's contents back; the last one frees them.
+ *
+ * \param file The contents; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_file_free(const medax_file *file);
+
+/**
+ * Reads points: #medax_file_read and #medax_file_points in one.
+ *
+ * \param path_utf8 The path.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_points Receives the points, which the caller frees with #medax_points_free.
+ * \return As #medax_file_read and #medax_points_create_f64.
+ *
+ * O(n log n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_points_read(const char *path_utf8,
+                               const medax_points_options *options,
+                               const medax_job *job,
+                               const medax_points **out_points);
+
+/**
+ * Reads a complex: #medax_file_read and #medax_file_complex in one.
+ *
+ * \param path_utf8 The path.
+ * \param job NULL for a default job.
+ * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+ * \return As #medax_file_read and #medax_file_complex.
+ *
+ * O(n log n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_complex_read(const char *path_utf8,
+                                const medax_job *job,
+                                const medax_complex **out_complex);
+
+/**
+ * Sets write options to their defaults.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_status medax_write_options_init(medax_write_options *options, size_t struct_size);
+
+/**
+ * Writes a complex. Numbers are written so that they read back to the same bits, save for STL, which
+ * has single precision.
+ *
+ * \param complex The complex.
+ * \param path_utf8 The path.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_warnings Receives a sentence for each thing that the format cannot hold, which the
+ *        caller frees with #medax_warnings_free; or NULL.
+ * \return `MEDAX_STATUS_OK`; `UNSUPPORTED` for an unknown ending, a format that is not written, or
+ *         one that can hold nothing of the complex; `COORDINATE_RANGE` with the vertex where single
+ *         precision is too small; `IO`; `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`, `BUSY`,
+ *         `OUT_OF_MEMORY`.
+ *
+ * O(n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_complex_write(const medax_complex *complex,
+                                 const char *path_utf8,
+                                 const medax_write_options *options,
+                                 const medax_job *job,
+                                 const medax_warnings **out_warnings);
+
+/**
+ * Writes the distinct points in the order of their vertices.
+ *
+ * \param points The points.
+ * \param path_utf8 The path.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_warnings As for #medax_complex_write.
+ * \return As #medax_complex_write.
+ *
+ * O(n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_points_write(const medax_points *points,
+                                const char *path_utf8,
+                                const medax_write_options *options,
+                                const medax_job *job,
+                                const medax_warnings **out_warnings);
+
+/**
+ * The number of warnings.
+ *
+ * \param warnings The warnings; NULL has none.
+ * \return The number of sentences.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API size_t medax_warnings_count(const medax_warnings *warnings);
+
+/**
+ * A warning.
+ *
+ * \param warnings The warnings, or NULL.
+ * \param index Which one, below #medax_warnings_count.
+ * \return A sentence in UTF-8, borrowed from `warnings`; empty past the last one; never NULL.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const char *medax_warnings_text(const medax_warnings *warnings, size_t index);
+
+/**
+ * One more reference to warnings.
+ *
+ * \param warnings The warnings, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_warnings *medax_warnings_clone(const medax_warnings *warnings);
+
+/**
+ * Gives one reference to warnings back; the last one frees them.
+ *
+ * \param warnings The warnings; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_warnings_free(const medax_warnings *warnings);
 
 #ifdef __cplusplus
 }

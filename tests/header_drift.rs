@@ -7,7 +7,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// The chapters of the header in order: the files of `src/capi`.
-const CHAPTERS: [&str; 9] = [
+const CHAPTERS: [&str; 12] = [
     "status",
     "handle",
     "view",
@@ -16,7 +16,10 @@ const CHAPTERS: [&str; 9] = [
     "points",
     "triangulation",
     "incidence",
+    "poles",
+    "crust",
     "complex",
+    "io",
 ];
 
 /// What cbindgen puts round the functions of each chapter; the header has it once.

@@ -134,6 +134,7 @@ private:
 namespace detail {
 
 inline View<double> view(medax_view_f64 v) noexcept { return {v.data, v.rows, v.cols}; }
+inline View<std::uint8_t> view(medax_view_u8 v) noexcept { return {v.data, v.rows, v.cols}; }
 inline View<std::uint32_t> view(medax_view_u32 v) noexcept { return {v.data, v.rows, v.cols}; }
 
 inline void check(medax_status status) {
@@ -271,6 +272,37 @@ struct Validation : medax_validation {
     bool is_valid() const noexcept { return problems == 0; }
 };
 
+namespace detail {
+
+template <class T>
+Validation validated(medax_status (*validate)(const T *, const medax_job *, medax_validation *),
+                     const T *handle, const Job &job) {
+    Validation report;
+    report.struct_size = sizeof(medax_validation);
+    job.check(validate(handle, job.get(), &report));
+    return report;
+}
+
+}  // namespace detail
+
+// ---- Files -------------------------------------------------------------------------------------
+
+using WriteOptions = detail::Options<medax_write_options, medax_write_options_init>;
+
+/// Sentences about what a file did not hold, or what was left out of it.
+class Warnings
+    : public detail::Handle<medax_warnings, medax_warnings_clone, medax_warnings_free> {
+public:
+    /// Takes over a reference that a function of medax.h gave.
+    explicit Warnings(const medax_warnings *owned) noexcept : Handle(owned) {}
+
+    std::size_t count() const noexcept { return medax_warnings_count(get()); }
+    bool empty() const noexcept { return count() == 0; }
+    const char *operator[](std::size_t index) const noexcept {
+        return medax_warnings_text(get(), index);
+    }
+};
+
 // ---- Points ------------------------------------------------------------------------------------
 
 using PointsOptions = detail::Options<medax_points_options, medax_points_options_init>;
@@ -302,6 +334,18 @@ public:
     static Points from(const std::vector<Point> &xyz, const PointsOptions &options = {},
                        const Job &job = Job::fresh()) {
         return from(xyz.empty() ? nullptr : xyz.front().data(), xyz.size(), 0, options, job);
+    }
+    static Points read(const std::string &path_utf8, const PointsOptions &options = {},
+                       const Job &job = Job::fresh()) {
+        const medax_points *points = nullptr;
+        job.check(medax_points_read(path_utf8.c_str(), &options, job.get(), &points));
+        return Points(points);
+    }
+    Warnings write(const std::string &path_utf8, const WriteOptions &options = {},
+                   const Job &job = Job::fresh()) const {
+        const medax_warnings *warnings = nullptr;
+        job.check(medax_points_write(get(), path_utf8.c_str(), &options, job.get(), &warnings));
+        return Warnings(warnings);
     }
 
     View<double> coords() const noexcept { return detail::view(medax_points_coords(get())); }
@@ -404,10 +448,7 @@ public:
     }
 
     Validation validate(const Job &job = Job::fresh()) const {
-        Validation report;
-        report.struct_size = sizeof(medax_validation);
-        job.check(medax_triangulation_validate(get(), job.get(), &report));
-        return report;
+        return detail::validated(medax_triangulation_validate, get(), job);
     }
 };
 
@@ -459,6 +500,17 @@ public:
         detail::check(medax_complex_create(&parts, &complex));
         return Complex(complex);
     }
+    static Complex read(const std::string &path_utf8, const Job &job = Job::fresh()) {
+        const medax_complex *complex = nullptr;
+        job.check(medax_complex_read(path_utf8.c_str(), job.get(), &complex));
+        return Complex(complex);
+    }
+    Warnings write(const std::string &path_utf8, const WriteOptions &options = {},
+                   const Job &job = Job::fresh()) const {
+        const medax_warnings *warnings = nullptr;
+        job.check(medax_complex_write(get(), path_utf8.c_str(), &options, job.get(), &warnings));
+        return Warnings(warnings);
+    }
 
     std::uint32_t dimension() const noexcept { return medax_complex_dimension(get()); }
     View<double> vertices() const noexcept { return detail::view(medax_complex_vertices(get())); }
@@ -496,6 +548,153 @@ private:
         return {found.name, static_cast<medax_element>(found.element),
                 static_cast<medax_value_type>(found.value_type), detail::view(found.f64_values),
                 detail::view(found.u32_values)};
+    }
+};
+
+/// What a file holds, before points or a complex are made of it.
+class File : public detail::Handle<medax_file, medax_file_clone, medax_file_free> {
+public:
+    /// Takes over a reference that a function of medax.h gave.
+    explicit File(const medax_file *owned) noexcept : Handle(owned) {}
+
+    static File read(const std::string &path_utf8, const Job &job = Job::fresh()) {
+        const medax_file *file = nullptr;
+        job.check(medax_file_read(path_utf8.c_str(), job.get(), &file));
+        return File(file);
+    }
+
+    bool is_mesh() const noexcept { return medax_file_is_mesh(get()); }
+    View<double> vertices() const noexcept { return detail::view(medax_file_vertices(get())); }
+    Rows faces() const noexcept { return Rows(medax_file_faces(get())); }
+    View<std::uint32_t> edges() const noexcept { return detail::view(medax_file_edges(get())); }
+    Warnings warnings() const {
+        const medax_warnings *warnings = nullptr;
+        detail::check(medax_file_warnings(get(), &warnings));
+        return Warnings(warnings);
+    }
+    Points points(const PointsOptions &options = {}, const Job &job = Job::fresh()) const {
+        const medax_points *points = nullptr;
+        job.check(medax_file_points(get(), &options, job.get(), &points));
+        return Points(points);
+    }
+    Complex complex(const Job &job = Job::fresh()) const {
+        const medax_complex *complex = nullptr;
+        job.check(medax_file_complex(get(), job.get(), &complex));
+        return Complex(complex);
+    }
+};
+
+// ---- Poles -------------------------------------------------------------------------------------
+
+using PolesOptions = detail::Options<medax_poles_options, medax_poles_options_init>;
+
+/// The poles of a sample, and their balls.
+class Poles : public detail::Handle<medax_poles, medax_poles_clone, medax_poles_free> {
+public:
+    /// Takes over a reference that a function of medax.h gave.
+    explicit Poles(const medax_poles *owned) noexcept : Handle(owned) {}
+
+    /// The poles from which a power crust is made.
+    static Poles with_far_box(const Points &points, const PolesOptions &options = {},
+                              const Job &job = Job::fresh()) {
+        const medax_poles *poles = nullptr;
+        job.check(medax_poles_build_with_far_box(points.get(), &options, job.get(), &poles));
+        return Poles(poles);
+    }
+
+    Triangulation triangulation() const {
+        const medax_triangulation *triangulation = nullptr;
+        detail::check(medax_poles_triangulation(get(), &triangulation));
+        return Triangulation(triangulation);
+    }
+    bool has_far_box() const noexcept { return medax_poles_has_far_box(get()); }
+    View<double> balls() const noexcept { return detail::view(medax_poles_balls(get())); }
+    View<double> radii_squared() const noexcept {
+        return detail::view(medax_poles_radii_squared(get()));
+    }
+    View<std::uint32_t> cell_of_pole() const noexcept {
+        return detail::view(medax_poles_cell_of_pole(get()));
+    }
+    View<std::uint8_t> touches_far_box() const noexcept {
+        return detail::view(medax_poles_touches_far_box(get()));
+    }
+    View<std::uint32_t> pole_of_sample() const noexcept {
+        return detail::view(medax_poles_pole_of_sample(get()));
+    }
+    View<double> normals() const noexcept { return detail::view(medax_poles_normals(get())); }
+
+    /// The distance from each point to the nearest pole.
+    std::vector<double> feature_size(const std::vector<Point> &queries,
+                                     const Job &job = Job::fresh()) const {
+        std::vector<double> distances(queries.size());
+        const double *xyz = queries.empty() ? nullptr : queries.front().data();
+        job.check(medax_poles_feature_size(get(), xyz, queries.size(), job.get(),
+                                           distances.data()));
+        return distances;
+    }
+    Validation validate(const Job &job = Job::fresh()) const {
+        return detail::validated(medax_poles_validate, get(), job);
+    }
+};
+
+// ---- Power crust -------------------------------------------------------------------------------
+
+using PowerCrustOptions =
+    detail::Options<medax_power_crust_options, medax_power_crust_options_init>;
+
+/// A power crust with all that it was made from.
+class PowerCrust
+    : public detail::Handle<medax_power_crust, medax_power_crust_clone, medax_power_crust_free> {
+public:
+    /// Takes over a reference that a function of medax.h gave.
+    explicit PowerCrust(const medax_power_crust *owned) noexcept : Handle(owned) {}
+
+    static PowerCrust of(const Points &points, const PowerCrustOptions &options = {},
+                         const Job &job = Job::fresh()) {
+        const medax_power_crust *crust = nullptr;
+        job.check(medax_power_crust_build(points.get(), &options, job.get(), &crust));
+        return PowerCrust(crust);
+    }
+    static PowerCrust of(const Poles &poles, const PowerCrustOptions &options = {},
+                         const Job &job = Job::fresh()) {
+        const medax_power_crust *crust = nullptr;
+        job.check(medax_power_crust_build_from_poles(poles.get(), &options, job.get(), &crust));
+        return PowerCrust(crust);
+    }
+
+    Complex surface() const {
+        const medax_complex *surface = nullptr;
+        detail::check(medax_power_crust_surface(get(), &surface));
+        return Complex(surface);
+    }
+    Complex shape(medax_label label) const {
+        const medax_complex *shape = nullptr;
+        detail::check(medax_power_crust_shape(get(), label, &shape));
+        return Complex(shape);
+    }
+    Poles poles() const {
+        const medax_poles *poles = nullptr;
+        detail::check(medax_power_crust_poles(get(), &poles));
+        return Poles(poles);
+    }
+    /// The regular triangulation of the polar balls.
+    Triangulation regular() const {
+        const medax_triangulation *regular = nullptr;
+        detail::check(medax_power_crust_regular(get(), &regular));
+        return Triangulation(regular);
+    }
+    View<std::uint32_t> labels() const noexcept {
+        return detail::view(medax_power_crust_labels(get()));
+    }
+    bool is_visible(std::uint32_t pole) const noexcept {
+        return medax_power_crust_is_visible(get(), pole);
+    }
+    std::size_t unreached_count() const noexcept {
+        return medax_power_crust_unreached_count(get());
+    }
+    std::size_t forced_count() const noexcept { return medax_power_crust_forced_count(get()); }
+    Validation validate(const Job &job = Job::fresh()) const {
+        return detail::validated(medax_power_crust_validate, get(), job);
     }
 };
 

@@ -9,11 +9,11 @@
 use super::boundary;
 use super::handle::{self, medax_complex};
 use super::options::{self, sized_struct};
-use super::status::medax_status;
+use super::status::{c_text, medax_status};
 use super::view::{self, Out, medax_view_f64, medax_view_rows, medax_view_u32};
 use crate::complex::{Attribute, CellType, Complex, ComplexParts, Element, Rows, Values};
 use crate::error::{ElementKind, Error, Result, Status};
-use std::ffi::{CString, c_char};
+use std::ffi::c_char;
 use std::ptr;
 use std::sync::Arc;
 
@@ -205,12 +205,8 @@ pub unsafe extern "C" fn medax_complex_create(
 
 /// A new handle on a complex.
 pub(super) fn give(complex: Arc<Complex>) -> *const medax_complex {
-    // A name is UTF-8 without zero bytes if it came through C, but may be anything from Rust.
-    let name = |a: &Attribute| CString::new(a.name().replace('\0', "\u{fffd}")).unwrap_or_default();
-    let names = complex.attributes().iter().map(name).collect();
-    let cell_types =
-        complex.cell_types().iter().map(|&kind| medax_cell_type::from(kind) as u32).collect();
-    handle::new(medax_complex { complex, names, cell_types })
+    let names = complex.attributes().iter().map(|a| c_text(a.name())).collect();
+    handle::new(medax_complex { complex, names })
 }
 
 /// The caller's rows of varying length.
@@ -334,9 +330,7 @@ pub unsafe extern "C" fn medax_complex_cells(complex: *const medax_complex) -> m
 /// Constant time. Since 0.1.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn medax_complex_cell_types(complex: *const medax_complex) -> medax_view_u32 {
-    boundary::value(medax_view_u32::new(&[], 1), || {
-        medax_view_u32::new(handle::maybe(complex).map_or(&[][..], |c| &c.cell_types), 1)
-    })
+    index_view(complex, 1, |c| view::numbers(c.cell_types()))
 }
 
 /// The faces of a complex cut into triangles: a fan from each face's first vertex, with the

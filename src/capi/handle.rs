@@ -35,14 +35,32 @@ pub struct medax_incidence {
     pub(super) edges: crate::triangulation::Edges,
 }
 
+/// What a file holds, before points or a complex are made of it.
+pub struct medax_file {
+    pub(super) soup: crate::io::Soup,
+}
+
+/// Sentences about what a file did not hold, or what was left out of it.
+pub struct medax_warnings {
+    pub(super) texts: Vec<CString>,
+}
+
+/// The poles of a sample, and their balls.
+pub struct medax_poles {
+    pub(super) poles: Arc<crate::Poles>,
+}
+
+/// A power crust with all that it was made from.
+pub struct medax_power_crust {
+    pub(super) crust: Arc<crate::PowerCrust>,
+}
+
 /// Vertices, polygons, loose edges, volume cells and named attributes: every result that can be
 /// drawn or written.
 pub struct medax_complex {
     pub(super) complex: Arc<crate::Complex>,
     /// The names of the attributes, terminated for C.
     pub(super) names: Vec<CString>,
-    /// The types of the cells as C's numbers.
-    pub(super) cell_types: Vec<u32>,
 }
 
 /// A type of which C holds counted references.
@@ -54,6 +72,10 @@ impl Handle for medax_job {}
 impl Handle for medax_points {}
 impl Handle for medax_triangulation {}
 impl Handle for medax_incidence {}
+impl Handle for medax_file {}
+impl Handle for medax_warnings {}
+impl Handle for medax_poles {}
+impl Handle for medax_power_crust {}
 impl Handle for medax_complex {}
 
 /// A new handle with one reference, which the caller owns.

@@ -16,9 +16,12 @@ mod options;
 mod view;
 
 mod complex;
+mod crust;
 mod incidence;
+mod io;
 mod job;
 mod points;
+mod poles;
 mod status;
 mod triangulation;
 mod validation;

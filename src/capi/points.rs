@@ -34,7 +34,7 @@ sized_struct!(medax_points_options, first_size: size_of::<medax_points_options>(
     reserved: reserved, { skip_non_finite: u32 = 0, reserved: u32 = 0 });
 
 impl medax_points_options {
-    fn translate(&self) -> Result<PointsOptions> {
+    pub(super) fn translate(&self) -> Result<PointsOptions> {
         Ok(PointsOptions { skip_non_finite: flag(self.skip_non_finite, "skip_non_finite")? })
     }
 }

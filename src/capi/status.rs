@@ -134,6 +134,11 @@ pub(super) fn record(error: &Error) -> medax_status {
     error.status().into()
 }
 
+/// The text, terminated for C.
+pub(super) fn c_text(text: &str) -> CString {
+    CString::new(text.replace('\0', "\u{fffd}")).unwrap_or_default()
+}
+
 /// What `read` sees of this thread's last error, or `none`.
 fn last<T>(none: T, read: impl FnOnce(&LastError) -> T) -> T {
     LAST_ERROR.try_with(|slot| slot.borrow().as_ref().map(read)).ok().flatten().unwrap_or(none)

@@ -36,6 +36,18 @@ pub struct medax_view_u32 {
     pub cols: usize,
 }
 
+/// Rows of bytes, such as flags that are 0 or 1.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct medax_view_u8 {
+    /// `rows * cols` values; NULL if there are none.
+    pub data: *const u8,
+    /// The number of rows.
+    pub rows: usize,
+    /// The number of values in a row.
+    pub cols: usize,
+}
+
 /// Rows of varying length: row `i` is `indices[offsets[i]]` to `indices[offsets[i + 1] - 1]`.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
@@ -65,6 +77,31 @@ impl medax_view_u32 {
     pub(super) fn new(values: &[u32], cols: usize) -> Self {
         medax_view_u32 { data: pointer(values), rows: values.len() / cols.max(1), cols }
     }
+}
+
+impl medax_view_u8 {
+    /// A view of flags, one a row.
+    pub(super) fn of_flags(flags: &[bool]) -> Self {
+        // A bool is a byte that is 0 or 1.
+        medax_view_u8 { data: pointer(flags).cast(), rows: flags.len(), cols: 1 }
+    }
+}
+
+/// An enum that C sees as its number.
+///
+/// # Safety
+/// The type is a fieldless `repr(u32)` enum.
+pub(super) unsafe trait Number: Copy {}
+
+// SAFETY: fieldless and repr(u32).
+unsafe impl Number for crate::complex::CellType {}
+// SAFETY: fieldless and repr(u32).
+unsafe impl Number for crate::crust::Label {}
+
+/// The numbers of the values.
+pub(super) fn numbers<T: Number>(values: &[T]) -> &[u32] {
+    // SAFETY: `Number` makes a value a u32 in size, alignment and contents.
+    unsafe { slice::from_raw_parts(values.as_ptr().cast(), values.len()) }
 }
 
 impl medax_view_rows {
@@ -110,6 +147,17 @@ impl<T> Out<T> {
         if !target.is_null() {
             // SAFETY: not NULL, and the caller's promise.
             unsafe { target.write(value) };
+        }
+    }
+
+    /// Makes and writes a result that the caller may not want.
+    ///
+    /// # Safety
+    /// As for [`Out::maybe`].
+    pub(super) unsafe fn maybe_with(target: *mut T, make: impl FnOnce() -> T) {
+        if !target.is_null() {
+            // SAFETY: not NULL, and the caller's promise.
+            unsafe { target.write(make()) };
         }
     }
 }

@@ -74,3 +74,20 @@ FIELD(medax_complex_parts, attributes, 96);
 FIELD(medax_complex_parts, attribute_count, 104);
 FIELD(medax_complex_parts, dimension, 112);
 FIELD(medax_complex_parts, reserved, 116);
+
+SIZE(medax_view_u8, 24);
+FIELD(medax_view_u8, data, 0);
+FIELD(medax_view_u8, rows, 8);
+FIELD(medax_view_u8, cols, 16);
+
+SIZE(medax_write_options, 16);
+FIELD(medax_write_options, struct_size, 0);
+FIELD(medax_write_options, text, 8);
+FIELD(medax_write_options, reserved, 12);
+
+SIZE(medax_poles_options, 8);
+FIELD(medax_poles_options, struct_size, 0);
+
+SIZE(medax_power_crust_options, 16);
+FIELD(medax_power_crust_options, struct_size, 0);
+FIELD(medax_power_crust_options, deep, 8);

@@ -190,6 +190,49 @@ void complexes() {
           == MEDAX_STATUS_INVALID_ARGUMENT);
 }
 
+void crusts() {
+    // The corners of a grid on the surface of a cube.
+    std::vector<medax::Point> grid;
+    for (int i = 0; i <= 6; ++i)
+        for (int j = 0; j <= 6; ++j)
+            for (const double end : {0.0, 6.0})
+                for (int axis = 0; axis < 3; ++axis) {
+                    medax::Point point;
+                    point[axis] = end;
+                    point[(axis + 1) % 3] = i;
+                    point[(axis + 2) % 3] = j;
+                    grid.push_back(point);
+                }
+    const medax::Points points = medax::Points::from(grid);
+    CHECK(points.count() == 218 && points.duplicate_count() == 294 - 218);
+    const medax::Poles poles = medax::Poles::with_far_box(points);
+    CHECK(poles.has_far_box() && poles.validate().is_valid());
+    CHECK(poles.pole_of_sample().rows() == 218 && poles.normals().rows() == 218);
+    CHECK(poles.cell_of_pole().rows() == poles.balls().rows());
+    CHECK(poles.triangulation().coords().rows() == 226);
+    CHECK(poles.feature_size({{3, 3, 3}, {3, 3, 5}}).size() == 2);
+    const medax::PowerCrust crust = medax::PowerCrust::of(poles);
+    CHECK(crust.validate().is_valid() && crust.poles().get() != nullptr);
+    CHECK(crust.labels().rows() == poles.radii_squared().rows());
+    CHECK(crust.regular().points().row_count() == poles.touches_far_box().rows());
+    CHECK(crust.forced_count() <= crust.labels().rows() && !crust.is_visible(medax::none));
+    const medax::Complex surface = medax::PowerCrust::of(points).surface();
+    CHECK(surface.faces().rows() == crust.surface().faces().rows() && !surface.faces().empty());
+    CHECK(crust.shape(MEDAX_LABEL_INNER).attribute(MEDAX_ELEMENT_VERTEX, "radius").f64_values.rows()
+          == crust.shape(MEDAX_LABEL_INNER).vertices().rows());
+
+    const std::string path = "cxx_surface.off";
+    CHECK(surface.write(path).count() == 3);
+    const medax::File file = medax::File::read(path);
+    CHECK(file.is_mesh() && file.faces().rows() == surface.faces().rows());
+    CHECK(file.warnings().empty() && file.points().row_count() == file.vertices().rows());
+    CHECK(file.complex().faces().rows() == medax::Complex::read(path).faces().rows());
+    CHECK(medax::Points::read(path).write(path + ".xyz").empty());
+    std::remove(path.c_str());
+    std::remove((path + ".xyz").c_str());
+    CHECK(THROWN(medax::File::read(path)).status() == MEDAX_STATUS_IO);
+}
+
 void threads() {
     const medax::Triangulation t = medax::Triangulation::delaunay(medax::Points::from(cloud(500)));
     std::uint64_t sums[2] = {0, 0};
@@ -210,6 +253,7 @@ int main() {
     triangulations();
     jobs();
     complexes();
+    crusts();
     threads();
     std::printf("%u passed, %u failed\n", passed, failed);
     return failed == 0 ? 0 : 1;

@@ -1,0 +1,335 @@
+//! Power crust
+//!
+//! The poles are labelled inner and outer; the power diagram of their balls then falls into the solid
+//! and its complement, and the power crust is the boundary between them: closed by construction,
+//! made of convex polygons, and pointing out of the solid. A pole with an unbounded power cell is
+//! outer, and so is one that no label reached. The power shape of a side connects its poles as the
+//! regular triangulation of the balls does: an approximation of the medial axis.
+//! (Amenta, Choi, Kolluri 2001, The Power Crust.)
+
+use super::boundary;
+use super::complex;
+use super::handle::{
+    self, medax_complex, medax_job, medax_points, medax_poles, medax_power_crust,
+    medax_triangulation,
+};
+use super::options::{self, sized_struct};
+use super::status::medax_status;
+use super::validation::{self, medax_validation};
+use super::view::{Out, medax_view_u32, numbers};
+use crate::PowerCrust;
+use crate::crust::{Label, PowerCrustOptions};
+use crate::error::{Error, Status};
+use std::ptr;
+use std::sync::Arc;
+
+/// The side of the surface on which a pole lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u32)]
+pub enum medax_label {
+    /// Outside the solid.
+    Outer = 0,
+    /// Inside the solid.
+    Inner = 1,
+}
+
+impl From<Label> for medax_label {
+    fn from(label: Label) -> Self {
+        match label {
+            Label::Outer => medax_label::Outer,
+            Label::Inner => medax_label::Inner,
+        }
+    }
+}
+
+// The labels are shown as they lie in memory.
+const _: () = assert!(Label::Outer as u32 == medax_label::Outer as u32);
+const _: () = assert!(Label::Inner as u32 == medax_label::Inner as u32);
+
+/// The settings of a power crust.
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct medax_power_crust_options {
+    /// The size of this struct in the caller's program.
+    pub struct_size: usize,
+    /// Neighbouring balls intersect deeply, and so lie on the same side, where -cos of the angle
+    /// between their spheres exceeds this; in [0, 1], 0.4 by default.
+    pub deep: f64,
+}
+
+sized_struct!(medax_power_crust_options,
+    first_size: size_of::<medax_power_crust_options>(), reserved: none, { deep: f64 = 0.4 });
+
+impl medax_power_crust_options {
+    fn translate(&self) -> PowerCrustOptions {
+        PowerCrustOptions { deep: self.deep }
+    }
+}
+
+/// Sets power crust options to their defaults.
+///
+/// \param options The caller's struct, of `struct_size` bytes.
+/// \param struct_size `sizeof *options`.
+/// \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+///
+/// Constant time. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_power_crust_options_init(
+    options: *mut medax_power_crust_options,
+    struct_size: usize,
+) -> medax_status {
+    boundary::status(|| options::init(options, struct_size, "options"))
+}
+
+/// Builds the power crust of a sample.
+///
+/// \param points The sample.
+/// \param options NULL for the defaults.
+/// \param job NULL for a default job.
+/// \param out_crust Receives the power crust, which the caller frees with #medax_power_crust_free.
+/// \return As #medax_poles_build_with_far_box; also `INVALID_ARGUMENT` for options out of range.
+///
+/// Two triangulations: of the n samples, and of their at most 2 n poles. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_power_crust_build(
+    points: *const medax_points,
+    options: *const medax_power_crust_options,
+    job: *const medax_job,
+    out_crust: *mut *const medax_power_crust,
+) -> medax_status {
+    boundary::status(|| {
+        let points = &handle::get(points, "points")?.points;
+        let options = options::read(options, "options")?.translate();
+        let out = Out::new(out_crust, "out_crust")?;
+        let mut own = None;
+        let crust = PowerCrust::build(points, options, handle::job(job, &mut own))?;
+        out.put(handle::new(medax_power_crust { crust: Arc::new(crust) }));
+        Ok(())
+    })
+}
+
+/// Builds the power crust of poles, without choosing them again.
+///
+/// \param poles Poles with the far box, which the power crust keeps alive.
+/// \param options NULL for the defaults.
+/// \param job NULL for a default job.
+/// \param out_crust Receives the power crust, which the caller frees with #medax_power_crust_free.
+/// \return As #medax_power_crust_build; also `MISMATCH` for poles without the far box.
+///
+/// One regular triangulation of the poles. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_power_crust_build_from_poles(
+    poles: *const medax_poles,
+    options: *const medax_power_crust_options,
+    job: *const medax_job,
+    out_crust: *mut *const medax_power_crust,
+) -> medax_status {
+    boundary::status(|| {
+        let poles = &handle::get(poles, "poles")?.poles;
+        let options = options::read(options, "options")?.translate();
+        let out = Out::new(out_crust, "out_crust")?;
+        let mut own = None;
+        let crust = PowerCrust::from_poles(poles, options, handle::job(job, &mut own))?;
+        out.put(handle::new(medax_power_crust { crust: Arc::new(crust) }));
+        Ok(())
+    })
+}
+
+/// The surface: convex polygons that point out of the solid. Faces have the attributes `inner_pole`
+/// and `outer_pole`, vertices `cell`: the cell of #medax_power_crust_regular whose orthocentre they
+/// are.
+///
+/// \param crust The power crust.
+/// \param out_surface Receives the surface, which the caller frees with #medax_complex_free.
+/// \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+///
+/// Constant time. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_power_crust_surface(
+    crust: *const medax_power_crust,
+    out_surface: *mut *const medax_complex,
+) -> medax_status {
+    boundary::status(|| {
+        let crust = &handle::get(crust, "crust")?.crust;
+        let out = Out::new(out_surface, "out_surface")?;
+        out.put(complex::give(crust.surface().clone()));
+        Ok(())
+    })
+}
+
+/// The power shape of one side: its poles, with the attributes `radius` and `pole`, and the faces,
+/// edges and cells of #medax_power_crust_regular between them.
+///
+/// \param crust The power crust.
+/// \param label A #medax_label: which side.
+/// \param out_shape Receives the shape, which the caller frees with #medax_complex_free.
+/// \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a number that is no label.
+///
+/// Constant time. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_power_crust_shape(
+    crust: *const medax_power_crust,
+    label: u32,
+    out_shape: *mut *const medax_complex,
+) -> medax_status {
+    boundary::status(|| {
+        let crust = &handle::get(crust, "crust")?.crust;
+        let out = Out::new(out_shape, "out_shape")?;
+        let side = [Label::Outer, Label::Inner]
+            .into_iter()
+            .find(|&side| medax_label::from(side) as u32 == label);
+        let shape = match side {
+            Some(Label::Inner) => crust.inner_shape(),
+            Some(Label::Outer) => crust.outer_shape(),
+            None => {
+                let message = format!("{label} is not a label");
+                return Err(Error::new(Status::InvalidArgument, message));
+            }
+        };
+        out.put(complex::give(shape.clone()));
+        Ok(())
+    })
+}
+
+/// The poles of a power crust.
+///
+/// \param crust The power crust.
+/// \param out_poles Receives the poles, which the caller frees with #medax_poles_free.
+/// \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+///
+/// Constant time. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_power_crust_poles(
+    crust: *const medax_power_crust,
+    out_poles: *mut *const medax_poles,
+) -> medax_status {
+    boundary::status(|| {
+        let crust = &handle::get(crust, "crust")?.crust;
+        let out = Out::new(out_poles, "out_poles")?;
+        out.put(handle::new(medax_poles { poles: crust.poles().clone() }));
+        Ok(())
+    })
+}
+
+/// The regular triangulation of the polar balls. Poles are the rows of its points:
+/// #medax_triangulation_row_of_vertex names the pole of each vertex.
+///
+/// \param crust The power crust.
+/// \param out_regular Receives the triangulation, which the caller frees with
+///        #medax_triangulation_free.
+/// \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+///
+/// Constant time. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_power_crust_regular(
+    crust: *const medax_power_crust,
+    out_regular: *mut *const medax_triangulation,
+) -> medax_status {
+    boundary::status(|| {
+        let crust = &handle::get(crust, "crust")?.crust;
+        let out = Out::new(out_regular, "out_regular")?;
+        out.put(handle::new(medax_triangulation { triangulation: crust.regular().clone() }));
+        Ok(())
+    })
+}
+
+/// The label of each pole.
+///
+/// \param crust The power crust, or NULL.
+/// \return p x 1: a #medax_label. Borrowed from `crust`.
+///
+/// Constant time. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_power_crust_labels(
+    crust: *const medax_power_crust,
+) -> medax_view_u32 {
+    boundary::value(medax_view_u32::new(&[], 1), || {
+        let labels = handle::maybe(crust).map_or(&[][..], |c| c.crust.labels());
+        medax_view_u32::new(numbers(labels), 1)
+    })
+}
+
+/// Whether a pole takes part in the power diagram: it is neither hidden nor a lighter duplicate of
+/// another pole's centre.
+///
+/// \param crust The power crust; NULL has no poles.
+/// \param pole The pole.
+/// \return False also for a number that is no pole.
+///
+/// O(log p). Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_power_crust_is_visible(
+    crust: *const medax_power_crust,
+    pole: u32,
+) -> bool {
+    boundary::value(false, || {
+        handle::maybe(crust)
+            .is_some_and(|c| (pole as usize) < c.crust.labels().len() && c.crust.is_visible(pole))
+    })
+}
+
+/// The number of poles that no label reached, and that are outer for that reason.
+///
+/// \param crust The power crust; NULL has none.
+/// \return The number of poles.
+///
+/// Constant time. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_power_crust_unreached_count(
+    crust: *const medax_power_crust,
+) -> usize {
+    boundary::value(0, || handle::maybe(crust).map_or(0, |c| c.crust.unreached_count()))
+}
+
+/// The number of poles made outer because their power cells are unbounded.
+///
+/// \param crust The power crust; NULL has none.
+/// \return The number of poles.
+///
+/// Constant time. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_power_crust_forced_count(crust: *const medax_power_crust) -> usize {
+    boundary::value(0, || handle::maybe(crust).map_or(0, |c| c.crust.forced_count()))
+}
+
+/// Checks a power crust, by its combinatorics alone: the labels, that the surface is closed and is
+/// the boundary between inner and outer cells, the shapes.
+///
+/// \param crust The power crust.
+/// \param job NULL for a default job.
+/// \param out_report Filled, its `struct_size` being set.
+/// \return `MEDAX_STATUS_OK` whatever was found; `NULL_ARGUMENT`, `INVALID_ARGUMENT` for a report
+///         of no version, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+///
+/// O(p log p). Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_power_crust_validate(
+    crust: *const medax_power_crust,
+    job: *const medax_job,
+    out_report: *mut medax_validation,
+) -> medax_status {
+    validation::validate(job, out_report, |job| handle::get(crust, "crust")?.crust.validate(job))
+}
+
+/// One more reference to a power crust.
+///
+/// \param crust The power crust, or NULL.
+/// \return The same pointer; the caller frees it once more.
+///
+/// Constant time. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_power_crust_clone(
+    crust: *const medax_power_crust,
+) -> *const medax_power_crust {
+    boundary::value(ptr::null(), || handle::clone(crust))
+}
+
+/// Gives one reference to a power crust back; the last one frees it.
+///
+/// \param crust The power crust; NULL does nothing.
+///
+/// Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_power_crust_free(crust: *const medax_power_crust) {
+    boundary::value((), || handle::free(crust));
+}
