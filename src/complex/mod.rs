@@ -12,6 +12,7 @@ mod rows;
 mod skeleton;
 mod surface;
 mod topology;
+mod triangulated;
 mod validate;
 
 pub use attribute::{Attribute, Element, Values};

@@ -5,6 +5,7 @@
 //! outer, describe the solid and its complement; the facets of the balls' power diagram
 //! between inner and outer cells are the surface.
 
+mod export;
 mod label;
 mod shape;
 mod surface;

@@ -3,6 +3,7 @@
 //! Amenta, Choi, Kolluri 2001, *The Power Crust*, sections 3.2 and 5.1; Amenta, Bern 1999 for a
 //! sample alone, whose poles may be at infinity. See `docs/algorithms/poles.md`.
 
+mod export;
 mod feature_size;
 mod merge;
 mod select;

@@ -116,8 +116,8 @@ pub(crate) fn sample_in(shape: Shape, options: SampleOptions, run: &Run<'_>) -> 
 
 /// Samples the faces of a mesh, each point of a triangle with the triangle's normal.
 ///
-/// Errors: as [`sample`]; [`Status::NonFinite`] with the vertex, [`Status::Degenerate`] if no
-/// triangle has an area. Cost: O(log triangles) for every candidate.
+/// Errors: as [`sample`]; [`Status::Degenerate`] if no triangle has an area,
+/// [`Status::CoordinateRange`] if the area overflows. Cost: O(log triangles) for every candidate.
 pub fn sample_mesh(mesh: &Complex, options: SampleOptions, job: &Job) -> Result<Samples> {
     job.run(&[(Stage::Sample, 1.0)], |run| sample_mesh_in(mesh, options, run))
 }

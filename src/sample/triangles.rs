@@ -3,7 +3,7 @@
 use super::random::Random;
 use super::{Sample, Source};
 use crate::complex::Complex;
-use crate::error::{ElementKind, Error, Result, Status};
+use crate::error::{Error, Result, Status};
 use crate::vector::{Vec3, add, cross, length, scale, sub, unit};
 
 /// The triangles of a mesh, each with the area of all up to and with it.
@@ -13,16 +13,9 @@ pub(super) struct Triangles<'a> {
 }
 
 impl<'a> Triangles<'a> {
-    /// Errors: [`Status::NonFinite`] with the vertex, [`Status::CoordinateRange`] if the areas
-    /// overflow, [`Status::Degenerate`] if they vanish.
+    /// Errors: [`Status::CoordinateRange`] if the areas overflow, [`Status::Degenerate`] if they
+    /// vanish.
     pub(super) fn new(mesh: &'a Complex) -> Result<Self> {
-        if let Some(vertex) = mesh.vertices().iter().position(|v| !v.iter().all(|x| x.is_finite()))
-        {
-            let message = "a coordinate is NaN or infinite; mend the mesh";
-            return Err(
-                Error::new(Status::NonFinite, message).at(ElementKind::Vertex, vertex as u64)
-            );
-        }
         let mut triangles = Triangles { mesh, area_up_to: Vec::new() };
         let mut total = 0.0;
         for triangle in 0..mesh.triangles().len() {
@@ -127,9 +120,6 @@ mod tests {
             Complex::new(ComplexParts { vertices, faces, ..ComplexParts::default() }).unwrap()
         };
         let refusal = |vertices| Triangles::new(&mesh(vertices)).err().unwrap();
-        let nan = refusal([[0.0; 3], [1.0, 0.0, f64::NAN], [0.0, 1.0, 0.0]]);
-        assert_eq!(nan.status(), Status::NonFinite);
-        assert_eq!(nan.element(), Some((ElementKind::Vertex, 1)));
         let line = refusal([[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]]);
         assert_eq!(line.status(), Status::Degenerate);
         let huge = refusal([[0.0; 3], [1e200, 0.0, 0.0], [0.0, 1e200, 0.0]]);

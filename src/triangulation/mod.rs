@@ -15,6 +15,7 @@ mod canonical;
 mod cavity;
 mod cells;
 mod conflict;
+mod export;
 mod incidence;
 mod locate;
 mod order;

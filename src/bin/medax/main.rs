@@ -1,3 +1,67 @@
-//! The medax program.
+//! The program `medax`: every operation of the library from the command line.
+//!
+//! A command reads its input, calls the library, writes its outputs and fills in a [`Report`];
+//! what to print, and the exit code, is decided here and in `report.rs`.
 
-fn main() {}
+mod compare;
+mod crust;
+mod info;
+mod poles;
+mod progress;
+mod report;
+mod sample;
+mod session;
+mod triangulate;
+
+use clap::Parser;
+use report::Report;
+use session::{Failure, Session};
+use std::process::ExitCode;
+
+/// Samples of a surface in; triangulations, poles, power crusts and medial axes out.
+#[derive(Parser)]
+#[command(version, arg_required_else_help = true)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+    #[command(flatten)]
+    common: session::Options,
+}
+
+#[derive(clap::Subcommand)]
+enum Command {
+    Triangulate(triangulate::Options),
+    Poles(poles::Options),
+    Crust(crust::Options),
+    Info(info::Options),
+    Compare(compare::Options),
+    Sample(sample::Options),
+}
+
+impl Command {
+    fn run(&self, session: &mut Session) -> Result<Report, Failure> {
+        match self {
+            Command::Triangulate(options) => triangulate::run(options, session),
+            Command::Poles(options) => poles::run(options, session),
+            Command::Crust(options) => crust::run(options, session),
+            Command::Info(options) => info::run(options, session),
+            Command::Compare(options) => compare::run(options, session),
+            Command::Sample(options) => sample::run(options, session),
+        }
+    }
+}
+
+fn main() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => return report::refuse(&error),
+    };
+    let common = &arguments.common;
+    let mut session = Session::new(common);
+    let result = arguments.command.run(&mut session);
+    session.finish();
+    match result {
+        Ok(report) => report.print(&session, common.json, common.quiet),
+        Err(failure) => failure.print(common.json),
+    }
+}

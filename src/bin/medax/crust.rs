@@ -1,0 +1,134 @@
+//! `medax crust`: the power crust, the power shape and the labelled poles.
+
+use crate::report::{Counts, Report};
+use crate::session::{Failure, OutputOptions, ReadOptions, Session, ValidateOptions};
+use medax::crust::{Label, PowerCrustOptions};
+use medax::{Complex, PowerCrust};
+use serde_json::json;
+use std::f64::consts::PI;
+use std::path::PathBuf;
+
+/// Build the power crust: a closed surface from a sample, and an approximate medial axis
+#[derive(clap::Args)]
+pub struct Options {
+    /// A file of points; of a mesh the vertices that it uses
+    input: PathBuf,
+    #[command(flatten)]
+    read: ReadOptions,
+    #[command(flatten)]
+    output: OutputOptions,
+    /// Write the surface as triangles instead of convex polygons
+    #[arg(long)]
+    triangles: bool,
+    /// Where to write the power shape, an approximation of the medial axis
+    #[arg(long, value_name = "FILE")]
+    shape: Option<PathBuf>,
+    /// The side of the surface whose power shape is written
+    #[arg(long, value_enum, default_value_t = Side::Inner)]
+    side: Side,
+    /// Where to write the poles, with radius and label (0 outer, 1 inner)
+    #[arg(long, value_name = "FILE")]
+    poles: Option<PathBuf>,
+    /// Balls of neighbouring poles intersect deeply, and are of one side, where the angle between
+    /// their spheres exceeds this; from 90 to 180, by default 113.58, which is arccos(-0.4)
+    #[arg(long, value_name = "DEGREES")]
+    deep_degrees: Option<f64>,
+    #[command(flatten)]
+    validate: ValidateOptions,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Side {
+    Inner,
+    Outer,
+    Both,
+}
+
+impl Side {
+    fn name(self) -> &'static str {
+        match self {
+            Side::Inner => "inner",
+            Side::Outer => "outer",
+            Side::Both => "both",
+        }
+    }
+}
+
+pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> {
+    options.output.check(&[&options.shape, &options.poles])?;
+    let asked = match options.deep_degrees {
+        None => PowerCrustOptions::default(),
+        Some(degrees) if (90.0..=180.0).contains(&degrees) => {
+            // The cosine of 90 degrees comes out as 6e-17.
+            let deep = (-libm::cos(degrees * (PI / 180.0))).clamp(0.0, 1.0);
+            PowerCrustOptions { deep }
+        }
+        Some(degrees) => {
+            let message = format!("--deep-degrees must lie between 90 and 180, not {degrees}");
+            return Err(Failure::usage(message));
+        }
+    };
+    let soup = session.read(&options.input)?;
+    let (points, input) = session.points(&options.input, &soup, &options.read)?;
+    drop(soup);
+    let crust = PowerCrust::build(&points, asked, &session.job)?;
+    let mut report = Report { command: "crust", input, ..Report::default() };
+    options.read.describe(&mut report.parameters);
+    options.output.describe(&mut report.parameters);
+    let degrees = libm::acos(-asked.deep) * (180.0 / PI);
+    for (name, value) in [
+        ("deep_degrees", json!(options.deep_degrees.unwrap_or(degrees))),
+        ("triangles", json!(options.triangles)),
+        ("side", json!(options.side.name())),
+    ] {
+        report.parameters.insert(name.into(), value);
+    }
+    options.validate.report(&mut report, || crust.validate(&session.job))?;
+    describe(&crust, &mut report);
+
+    let triangles = if options.triangles { Some(crust.surface().triangulated()?) } else { None };
+    let surface = triangles.as_ref().unwrap_or(crust.surface());
+    report.counts = Counts {
+        cells: Some(crust.regular().cells().len() as u64),
+        hidden: Some(crust.regular().hidden().len() as u64),
+        poles: Some(crust.poles().len() as u64),
+        ..Counts::from(surface)
+    };
+    let path = options.output.output.as_deref();
+    report.outputs.push(session.deliver("surface", surface, path, &options.output)?);
+    if let Some(path) = &options.shape {
+        let (name, shape) = shape(&crust, options.side)?;
+        report.outputs.push(session.deliver(name, &shape, Some(path), &options.output)?);
+    }
+    if let Some(path) = &options.poles {
+        let poles = crust.poles_to_complex()?;
+        report.outputs.push(session.deliver("poles", &poles, Some(path), &options.output)?);
+    }
+    Ok(report)
+}
+
+/// What the labelling found.
+fn describe(crust: &PowerCrust, report: &mut Report) {
+    let inner = crust.labels().iter().filter(|&&label| label == Label::Inner).count();
+    let outer = crust.labels().len() - inner;
+    let (unreached, forced) = (crust.unreached_count(), crust.forced_count());
+    let labels =
+        json!({ "inner": inner, "outer": outer, "unreached": unreached, "forced": forced });
+    report.more.insert("labels".into(), labels);
+    let mut line = format!("{inner} inner, {outer} outer poles");
+    if unreached > 0 {
+        line += &format!(", {unreached} reached by no other");
+    }
+    if forced > 0 {
+        line += &format!(", {forced} forced out");
+    }
+    report.lines.push(("labels", line));
+}
+
+fn shape(crust: &PowerCrust, side: Side) -> Result<(&'static str, Complex), Failure> {
+    Ok(match side {
+        Side::Inner => ("inner shape", crust.inner_shape().as_ref().clone()),
+        Side::Outer => ("outer shape", crust.outer_shape().as_ref().clone()),
+        Side::Both => ("shape", crust.both_shapes()?),
+    })
+}

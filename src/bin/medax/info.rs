@@ -1,0 +1,69 @@
+//! `medax info`: what a file holds.
+
+use crate::report::{Counts, Report, topology_json, topology_line};
+use crate::session::{Failure, ReadOptions, Session};
+use medax::complex::Element;
+use medax::io::Soup;
+use serde_json::{Map, Value, json};
+use std::path::PathBuf;
+
+/// Say what a file of points or a mesh holds: counts, extent, topology
+#[derive(clap::Args)]
+pub struct Options {
+    /// The file
+    input: PathBuf,
+    #[command(flatten)]
+    read: ReadOptions,
+}
+
+pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> {
+    let soup = session.read(&options.input)?;
+    let (points, input) = session.points(&options.input, &soup, &options.read)?;
+    let mut report = Report { command: "info", input, ..Report::default() };
+    options.read.describe(&mut report.parameters);
+    let bounds = points.bounds();
+    let (min, max, diagonal) = (bounds.min, bounds.max, bounds.diagonal());
+    report.more.insert("bounds".into(), json!({ "min": min, "max": max, "diagonal": diagonal }));
+    report.more.insert("attributes".into(), attributes_json(&soup));
+    report.lines.push(("from", format!("{min:?}")));
+    report.lines.push(("to", format!("{max:?}")));
+    report.lines.push(("diagonal", format!("{diagonal}")));
+    let names: Vec<&str> = soup.attributes().iter().map(|attribute| attribute.name()).collect();
+    report.lines.push(("attributes", names.join(", ")));
+    if !soup.is_mesh() {
+        let vertices = Some(soup.vertices().len() as u64);
+        report.counts = Counts { vertices, ..Counts::default() };
+        report.more.insert("topology".into(), Value::Null);
+        report.more.insert("measure".into(), Value::Null);
+        return Ok(report);
+    }
+    let mesh = session.complex(&options.input, soup)?;
+    let topology = mesh.topology(&session.job)?;
+    let measure = mesh.measure(&session.job)?;
+    report.counts = Counts::from(&mesh);
+    report.lines.push(("topology", topology_line(&topology)));
+    // Without a closed surface there is nothing inside.
+    let volume = (topology.closed && topology.oriented).then_some(measure.volume);
+    let volume_words = volume.map_or(String::new(), |volume| format!(", volume {volume}"));
+    report.lines.push(("measure", format!("area {}{volume_words}", measure.area)));
+    report.more.insert("topology".into(), topology_json(&topology));
+    report.more.insert("measure".into(), json!({ "area": measure.area, "volume": volume }));
+    Ok(report)
+}
+
+fn attributes_json(soup: &Soup) -> Value {
+    let element = |element| match element {
+        Element::Vertex => "vertex",
+        Element::Edge => "edge",
+        Element::Face => "face",
+        Element::Cell => "cell",
+    };
+    let attribute = |a: &medax::complex::Attribute| {
+        Value::Object(Map::from_iter([
+            ("name".to_string(), json!(a.name())),
+            ("element".to_string(), json!(element(a.element()))),
+            ("width".to_string(), json!(a.width())),
+        ]))
+    };
+    soup.attributes().iter().map(attribute).collect()
+}
