@@ -18,10 +18,10 @@ use crate::triangulation::Triangulation;
 /// `rays[e][1]` goes out to infinity from the last. Both are [`NONE`] for a bounded facet.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Facets {
-    edges: Vec<[u32; 2]>,
-    offsets: Vec<u32>,
-    cells: Vec<u32>,
-    rays: Vec<[u32; 2]>,
+    pub(super) edges: Vec<[u32; 2]>,
+    pub(super) offsets: Vec<u32>,
+    pub(super) cells: Vec<u32>,
+    pub(super) rays: Vec<[u32; 2]>,
 }
 
 impl Facets {

@@ -13,8 +13,8 @@ use crate::triangulation::Triangulation;
 /// without a neighbour; directions have length 1 up to rounding and are never NaN.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rays {
-    facets: Vec<[u32; 2]>,
-    directions: Vec<[f64; 3]>,
+    pub(super) facets: Vec<[u32; 2]>,
+    pub(super) directions: Vec<[f64; 3]>,
 }
 
 impl Rays {

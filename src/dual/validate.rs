@@ -214,3 +214,6 @@ fn excess_power(center: [f64; 3], radius_squared: f64, [x, y, z, weight]: [f64; 
         + f64::from_bits(1);
     gap.abs() / (explained * (1.0 + 16.0 * UNIT))
 }
+
+#[cfg(test)]
+mod tests;

@@ -2,17 +2,18 @@
 
 use super::select::{is_farther, is_opposite};
 use super::{Poles, position, sample_count};
-use crate::dual::{Dual, DualOptions};
+use crate::dual::{Dual, DualOptions, unit};
 use crate::error::{ElementKind, Result};
 use crate::index::NONE;
 use crate::job::{Job, Run, Stage};
+use crate::points::{Bounds, order};
 use crate::predicates::insphere;
 use crate::validation::Validation;
 
 impl Poles {
     /// Checks every invariant against the triangulation: each ball is the circumscribed sphere of its cell,
     /// the least of those that share it; each sample's poles are the farthest of all its cells' centres; no
-    /// pole twice, none that no sample has; normals of length 1.
+    /// pole twice, none that no sample has; spatial order; normals towards the first poles.
     ///
     /// Errors: those of the job. Cost: O(m), and a dual is built anew.
     pub fn validate(&self, job: &Job) -> Result<Validation> {
@@ -36,6 +37,7 @@ impl Poles {
                     .into()
             });
             if complete {
+                self.check_order(&mut report, run)?;
                 self.check_balls(&dual, &mut report, run)?;
                 self.check_samples(&dual, &mut report, run)?;
             }
@@ -94,6 +96,20 @@ impl Poles {
         Ok(())
     }
 
+    /// Sorting the poles again must change nothing.
+    fn check_order(&self, report: &mut Validation, run: &Run<'_>) -> Result<()> {
+        let place = |(&[x, y, z, _], &cell): (&[f64; 4], &u32)| ([x, y, z], cell);
+        let mut sorted: Vec<_> = self.balls.iter().zip(&self.cell_of_pole).map(place).collect();
+        if let Some(bounds) = Bounds::of(sorted.iter().map(|(center, _)| *center)) {
+            order::sort(&mut sorted, &bounds, run)?;
+        }
+        let first = sorted.iter().zip(&self.cell_of_pole).position(|(a, cell)| a.1 != *cell);
+        report.check(first.is_none(), ElementKind::Vertex, first.unwrap_or(0) as u64, || {
+            "the poles are not in spatial order".into()
+        });
+        Ok(())
+    }
+
     fn check_samples(&self, dual: &Dual, report: &mut Validation, run: &Run<'_>) -> Result<()> {
         let incidence = self.triangulation.incidence_in(run)?;
         for (sample, &[first, second]) in self.pole_of_sample.iter().enumerate() {
@@ -101,11 +117,6 @@ impl Poles {
                 run.tick(sample + self.normals.len(), 2 * self.normals.len())?;
             }
             let id = sample as u64;
-            let normal = self.normals[sample];
-            let length: f64 = normal.iter().map(|x| x * x).sum();
-            report.check((length - 1.0).abs() < 1e-14, ElementKind::Vertex, id, || {
-                "its normal is not of length 1".into()
-            });
             let cells = incidence.cells_of(sample as u32);
             let farthest = |cells: &mut dyn Iterator<Item = u32>| {
                 cells.fold(NONE, |best, cell| match is_farther(dual, cell, best) {
@@ -113,11 +124,16 @@ impl Poles {
                     false => best,
                 })
             };
-            let unbounded = cells.iter().any(|&cell| {
-                let corners = self.triangulation.cells()[cell as usize];
-                (0..4).any(|i| corners[i] != sample as u32 && self.triangulation.is_hull(cell, i))
+            let to_infinity = self.direction_to_infinity(dual, sample as u32, cells);
+            let normal = self.normals[sample];
+            let towards = match to_infinity {
+                Some(direction) => normal == direction,
+                None => first != NONE && self.points_at(normal, sample, first),
+            };
+            report.check(towards, ElementKind::Vertex, id, || {
+                "its normal is not the unit vector towards its first pole".into()
             });
-            let expected = match unbounded {
+            let expected = match to_infinity.is_some() {
                 true => NONE,
                 false => farthest(&mut cells.iter().copied()),
             };
@@ -131,6 +147,35 @@ impl Poles {
             });
         }
         Ok(())
+    }
+
+    /// The direction of the pole at infinity of a sample with the given cells, if it is on the hull.
+    fn direction_to_infinity(&self, dual: &Dual, sample: u32, cells: &[u32]) -> Option<[f64; 3]> {
+        let mut sum = None;
+        for &cell in cells {
+            let corners = self.triangulation.cells()[cell as usize];
+            for facet in (0..4).filter(|&i| corners[i] != sample) {
+                let ray = dual.rays().of_facet(cell, facet as u32);
+                if let Some(direction) = dual.rays().directions().get(ray as usize) {
+                    let before = sum.unwrap_or([0.0; 3]);
+                    sum = Some([0, 1, 2].map(|k| before[k] + direction[k]));
+                }
+            }
+        }
+        sum.map(unit)
+    }
+
+    /// Whether the vector has length 1 and points from the sample at the pole, as far as the rounding of the
+    /// pole's centre shows.
+    fn points_at(&self, normal: [f64; 3], sample: usize, pole: u32) -> bool {
+        let (s, [x, y, z, _]) = (self.triangulation.coords()[sample], self.balls[pole as usize]);
+        let center = [x, y, z];
+        let offset = [0, 1, 2].map(|k| center[k] - s[k]);
+        let length = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let distance = length(offset);
+        let gap = [0, 1, 2].map(|k| normal[k] * distance - offset[k]);
+        (length(normal) - 1.0).abs() <= 1e-15
+            && length(gap) <= 4.0 * f64::EPSILON * (distance + length(center))
     }
 
     /// Whether the pole is the centre of the cell, or both are none.
@@ -160,3 +205,6 @@ fn shares_sphere(dual: &Dual, cell: u32, other: u32) -> bool {
         .filter(outside)
         .all(|v| insphere(at(a), at(b), at(c), at(d), at(v)).is_zero())
 }
+
+#[cfg(test)]
+mod tests;
