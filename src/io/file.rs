@@ -90,3 +90,53 @@ fn target(path: &Path) -> io::Result<PathBuf> {
 fn failed(action: &str, path: &Path, error: &io::Error) -> Error {
     Error::new(Status::Io, format!("cannot {action} '{}': {error}", path.display()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::{Job, Stage};
+
+    #[test]
+    fn a_write_that_stops_half_way_leaves_what_was_there() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        std::fs::write(&path, "old").unwrap();
+        let stopped: Result<()> = replace(&path, |out| {
+            out.write_all(&[b'x'; 1 << 20])?;
+            assert_eq!(folder.path().read_dir().unwrap().count(), 2);
+            Err(Error::new(Status::Cancelled, "stopped"))
+        });
+        assert_eq!(stopped.unwrap_err().status(), Status::Cancelled);
+        assert_eq!(std::fs::read(&path).unwrap(), b"old");
+        assert_eq!(folder.path().read_dir().unwrap().count(), 1);
+    }
+
+    #[test]
+    fn a_file_is_loaded_whole_and_a_cancelled_load_stops() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.bin");
+        for length in [0, 1, PIECE - 1, PIECE, 2 * PIECE + 1] {
+            let bytes: Vec<u8> = (0..length).map(|i| (i % 251) as u8).collect();
+            std::fs::write(&path, &bytes).unwrap();
+            let plan = [(Stage::Read, 1.0)];
+            let loaded = Job::default().run(&plan, |run| Ok(load(&path, run)?.bytes)).unwrap();
+            assert!(loaded == bytes, "{length} bytes");
+            let job = Job::default();
+            let stopped = job.run(&plan, |run| {
+                job.cancel();
+                load(&path, run).map(|_| ())
+            });
+            assert_eq!(stopped.unwrap_err().status(), Status::Cancelled);
+        }
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_file_without_a_length_is_loaded_whole() {
+        let plan = [(Stage::Read, 1.0)];
+        let path = Path::new("/proc/self/maps");
+        assert_eq!(path.metadata().unwrap().len(), 0);
+        let loaded = Job::default().run(&plan, |run| Ok(load(path, run)?.bytes)).unwrap();
+        assert!(loaded.len() > 100);
+    }
+}

@@ -96,3 +96,76 @@ pub fn read_points(path: impl AsRef<Path>, options: PointsOptions, job: &Job) ->
 pub fn read_complex(path: impl AsRef<Path>, job: &Job) -> Result<Complex> {
     job.run(&[(Stage::Read, 1.0)], |run| read_in(path.as_ref(), run)?.into_complex())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::JobOptions;
+
+    /// A file of each format, long enough to report progress more than once.
+    fn long_files() -> Vec<(Format, Vec<u8>)> {
+        let rows = |head: &str, row: &str| (head.to_string() + &row.repeat(50_000)).into_bytes();
+        let header = "element vertex 50000\nproperty char x\nproperty char y\nproperty char z\n";
+        let ply = |format: &str| format!("ply\nformat {format} 1.0\n{header}end_header\n");
+        let facet =
+            "facet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+        let mut stl = vec![0; 80];
+        stl.extend(50_000u32.to_le_bytes());
+        stl.resize(84 + 50 * 50_000, 0);
+        vec![
+            (Format::Ply, rows(&ply("ascii"), "1 2 3\n")),
+            (Format::Ply, rows(&ply("binary_big_endian"), "123")),
+            (Format::Off, rows("OFF 50000 0\n", "1 2 3\n")),
+            (Format::Obj, rows("", "v 1 2 3\n")),
+            (Format::Stl, stl),
+            (Format::Stl, rows("solid\n", facet)),
+            (Format::Xyz, rows("", "1 2 3\n")),
+            (Format::Csv, rows("x,y,z\n", "1,2,3\n")),
+            (Format::Pwn, rows("25000\n", "1 2 3\n")),
+            (Format::Ma, rows("50000 0 0\n", "v 1 2 3 4\n")),
+        ]
+    }
+
+    #[test]
+    fn every_reader_stops_when_it_is_cancelled() {
+        for (format, bytes) in long_files() {
+            let job = Job::default();
+            let stopped = job.run(&[(Stage::Read, 1.0)], |run| {
+                run.enter(Stage::Read)?;
+                job.cancel();
+                parse_in(&bytes, format, run)
+            });
+            assert_eq!(stopped.unwrap_err().status(), Status::Cancelled, "{format:?}");
+        }
+    }
+
+    #[test]
+    fn every_reader_reports_its_progress_along_the_way() {
+        for (format, mut bytes) in long_files() {
+            // A fault at the very end, so that nothing but the reader moves the progress. (A binary
+            // STL of the right length has none.)
+            if bytes.ends_with(b"\n") {
+                let last = bytes.len() - 2;
+                bytes[last] = b'x';
+            } else if format == Format::Ply {
+                bytes.push(b'x');
+            } else {
+                continue;
+            }
+            let job = Job::default();
+            let error = parse(&bytes, format, &job).unwrap_err();
+            assert_eq!(error.status(), Status::Format, "{format:?}");
+            let progress = job.progress();
+            assert!((0.5..1.0).contains(&progress), "{format:?}: {progress}");
+        }
+    }
+
+    #[test]
+    fn every_reader_counts_its_arrays_against_the_ceiling() {
+        for (format, bytes) in long_files() {
+            let options = JobOptions { memory_ceiling: 1000, ..JobOptions::default() };
+            let error = parse(&bytes, format, &Job::new(options)).unwrap_err();
+            assert_eq!(error.status(), Status::OutOfMemory, "{format:?}");
+        }
+    }
+}

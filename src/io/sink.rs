@@ -2,6 +2,8 @@
 
 use crate::error::Result;
 use crate::job::Run;
+use base64::engine::general_purpose::STANDARD;
+use base64::write::EncoderWriter;
 use std::fmt::Arguments;
 use std::io::Write;
 
@@ -29,6 +31,22 @@ impl<'a> Sink<'a> {
 
     pub fn text(&mut self, text: Arguments<'_>) -> Result<()> {
         Ok(self.out.write_fmt(text)?)
+    }
+
+    /// Everything that `write` puts into the sink it is given, as base64.
+    pub fn base64(&mut self, write: impl FnOnce(&mut Sink<'_>) -> Result<()>) -> Result<()> {
+        let mut encoder = EncoderWriter::new(&mut *self.out, &STANDARD);
+        let mut inner = Sink {
+            out: &mut encoder,
+            run: self.run,
+            done: self.done,
+            total: self.total,
+            warnings: Vec::new(),
+        };
+        write(&mut inner)?;
+        self.done = inner.done;
+        encoder.finish()?;
+        Ok(())
     }
 
     /// Says what the file does not hold.

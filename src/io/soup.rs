@@ -77,8 +77,8 @@ impl Soup {
     /// The complex of all vertices, faces, and the edges that are not a side of a face.
     ///
     /// Errors: [`Status::NonFinite`] with the row of the vertex; [`Status::Format`] with the face
-    /// or edge that repeats a vertex in succession. Cost: linear, and O(n log n) where there are
-    /// edges.
+    /// or edge that repeats a vertex in succession. Cost: linear, times the logarithm of the number
+    /// of edges.
     pub fn into_complex(mut self) -> Result<Complex> {
         if let Some(row) = self.vertices.iter().position(|v| !v.iter().all(|x| x.is_finite())) {
             return Err(Error::new(Status::NonFinite, "a coordinate is NaN or infinite")
@@ -112,13 +112,19 @@ impl Soup {
             return Ok(());
         }
         let sorted = |a: u32, b: u32| (a.min(b), a.max(b));
-        let mut sides: Vec<(u32, u32)> = Vec::with_capacity(self.faces.indices().len());
+        let mut order: Vec<((u32, u32), usize)> =
+            self.edges.iter().enumerate().map(|(i, edge)| (sorted(edge[0], edge[1]), i)).collect();
+        order.sort_unstable();
+        let mut loose = vec![true; self.edges.len()];
         for face in self.faces.iter() {
-            sides.extend((0..face.len()).map(|k| sorted(face[k], face[(k + 1) % face.len()])));
+            for (k, &corner) in face.iter().enumerate() {
+                let side = sorted(corner, face[(k + 1) % face.len()]);
+                let first = order.partition_point(|(edge, _)| *edge < side);
+                // An edge may be listed more than once.
+                let same = order[first..].iter().take_while(|(edge, _)| *edge == side);
+                same.for_each(|&(_, i)| loose[i] = false);
+            }
         }
-        sides.sort_unstable();
-        let is_loose = |edge: &[u32; 2]| sides.binary_search(&sorted(edge[0], edge[1])).is_err();
-        let loose: Vec<bool> = self.edges.iter().map(is_loose).collect();
         let mut keep = loose.iter();
         self.edges.retain(|_| keep.next() == Some(&true));
         for attribute in &mut self.attributes {

@@ -1,4 +1,5 @@
-//! VTU, ParaView's unstructured grid, written only: XML with the arrays appended as raw bytes.
+//! VTU, ParaView's unstructured grid, written only: XML with the arrays in base64. (Raw arrays would
+//! be smaller, but meshio runs some of them into the next.)
 //!
 //! Cells are, in this order, the loose edges, the faces and the volume cells; where there are
 //! none, each vertex is a cell, so that points can be seen. Attributes of edges, faces and volume
@@ -70,25 +71,23 @@ pub(super) fn write(complex: &Complex, out: &mut Sink<'_>) -> Result<()> {
         complex.vertices().len(),
         cell_count(complex),
     ))?;
-    let mut offset = 0;
-    for (section, arrays) in &sections {
+    for (section, arrays) in sections {
         out.text(format_args!("<{section}>\n"))?;
         for array in arrays {
             let (name, width, ty) = (escaped(&array.name), array.width, array.data.ty());
             out.text(format_args!(
                 "<DataArray type=\"{ty}\" Name=\"{name}\" NumberOfComponents=\"{width}\" \
-                 format=\"appended\" offset=\"{offset}\"/>\n"
+                 format=\"binary\">"
             ))?;
-            offset += size_of::<u64>() as u64 + array.bytes(complex);
+            out.base64(|out| {
+                out.bytes(&array.bytes(complex).to_le_bytes())?;
+                array.put(complex, out)
+            })?;
+            out.text(format_args!("</DataArray>\n"))?;
         }
         out.text(format_args!("</{section}>\n"))?;
     }
-    out.text(format_args!("</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_"))?;
-    for array in sections.iter().flat_map(|(_, arrays)| arrays) {
-        out.bytes(&array.bytes(complex).to_le_bytes())?;
-        array.put(complex, out)?;
-    }
-    out.text(format_args!("\n</AppendedData>\n</VTKFile>\n"))
+    out.text(format_args!("</Piece>\n</UnstructuredGrid>\n</VTKFile>\n"))
 }
 
 /// The attributes of these kinds of elements; those that agree in all but the kind share an array.

@@ -1,6 +1,6 @@
 //! Real files, with the counts that `MANIFEST.md` beside them gives.
 
-use medax::io::{read, read_complex, read_points};
+use medax::io::{WriteOptions, read, read_complex, read_points, write_complex};
 use medax::points::PointsOptions;
 use medax::{ElementKind, Job, NONE, Status};
 use std::path::PathBuf;
@@ -166,4 +166,19 @@ fn a_depth_image_with_nan_rows_is_an_error_unless_they_are_skipped() {
     assert_eq!(error.element(), Some((ElementKind::Row, first as u64)));
     let points = read_points(&path, PointsOptions { skip_non_finite: true }, &job).unwrap();
     assert_eq!(points.skipped_count(), 52_744);
+}
+
+#[test]
+fn stl_merges_the_positions_that_the_manifest_counts_as_one() {
+    let Some(folder) = data() else { return };
+    let job = Job::default();
+    let dragon = read_complex(folder.join("dragon.ply"), &job).unwrap();
+    let copy = tempfile::tempdir().unwrap();
+    let path = copy.path().join("dragon.stl");
+    let warnings = write_complex(&path, &dragon, WriteOptions::default(), &job).unwrap();
+    assert_eq!(warnings, Vec::<String>::new());
+    let soup = read(&path, &job).unwrap();
+    // 2,100 vertices repeat another's position, and 108 triangles collapse.
+    assert_eq!((soup.vertices().len(), soup.faces().len()), (435_545, 871_414 - 108));
+    assert_eq!(soup.warnings(), ["108 facets with equal corners were left out"]);
 }

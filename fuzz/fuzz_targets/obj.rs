@@ -1,0 +1,6 @@
+//! OBJ files.
+#![no_main]
+
+mod check;
+
+libfuzzer_sys::fuzz_target!(|data: &[u8]| check::read(data, medax::io::Format::Obj));
