@@ -24,18 +24,19 @@ std::vector<Cell> sorted(std::vector<Cell> cells) {
 
 Point centre_of(const std::array<double, 4>& ball) { return {ball[0], ball[1], ball[2]}; }
 
-// What is wrong with the poles of S + Z, or nothing; `touching` receives the poles whose Delaunay polytope
-// has a corner of the far box.
-std::string wrong_poles(const subject::Crust& medax, std::vector<bool>& touching, std::size_t& near_ties) {
+// What is wrong with the poles of S + Z, or nothing.
+std::string wrong_poles(const subject::Crust& medax, std::size_t& near_ties) {
+    const std::size_t sample_count = medax.pole_of_sample.size();
+    if (medax.vertices.size() != sample_count + 8) return "the far box has not eight points";
     const std::vector<Cell> cells(medax.cells.begin(), medax.cells.end());
     if (sorted(cells) != reference::delaunay(medax.vertices).cells) return "the cells of S + Z differ";
-    const reference::Poles exact = reference::poles(medax.vertices, medax.sample_count, cells);
+    const reference::Poles exact = reference::poles(medax.vertices, sample_count, cells);
     near_ties = exact.near_ties;
 
     std::vector<bool> far_vertex(cells.size());
     for (std::size_t c = 0; c < cells.size(); ++c)
         for (std::uint32_t v : cells[c])
-            if (v >= medax.sample_count) far_vertex[exact.vertex_of_cell[c]] = true;
+            if (v >= sample_count) far_vertex[exact.vertex_of_cell[c]] = true;
     std::vector<bool> chosen(cells.size());
     for (std::size_t p = 0; p < medax.balls.size(); ++p) {
         const std::uint32_t cell = medax.cell_of_pole[p];
@@ -45,10 +46,12 @@ std::string wrong_poles(const subject::Crust& medax, std::vector<bool>& touching
             return "the radius of pole " + std::to_string(p);
         if (chosen[exact.vertex_of_cell[cell]]) return "one Voronoi vertex is two poles";
         chosen[exact.vertex_of_cell[cell]] = true;
-        touching.push_back(far_vertex[exact.vertex_of_cell[cell]]);
+        // The whole Delaunay polytope counts, not only the cell that stands for it.
+        if (medax.touches_far_box[p] != far_vertex[exact.vertex_of_cell[cell]])
+            return "whether pole " + std::to_string(p) + " touches the far box";
     }
     std::size_t differing = 0;
-    for (std::size_t s = 0; s < medax.sample_count; ++s)
+    for (std::size_t s = 0; s < sample_count; ++s)
         for (int side : {0, 1}) {
             const std::uint32_t pole = medax.pole_of_sample[s][side];
             const std::uint32_t vertex = pole == none ? none : exact.vertex_of_cell[medax.cell_of_pole.at(pole)];
@@ -58,15 +61,15 @@ std::string wrong_poles(const subject::Crust& medax, std::vector<bool>& touching
 }
 
 // What is wrong with the labels and facets, or nothing.
-std::string wrong_crust(const subject::Crust& medax, const std::vector<bool>& touching) {
+std::string wrong_crust(const subject::Crust& medax) {
     reference::Balls balls;
     for (const auto& ball : medax.balls) {
         balls.centres.push_back(centre_of(ball));
         balls.radii.push_back(ball[3]);
     }
-    balls.samples.assign(medax.vertices.begin(), medax.vertices.begin() + long(medax.sample_count));
+    balls.samples.assign(medax.vertices.begin(), medax.vertices.end() - 8);
     balls.pole_of_sample = medax.pole_of_sample;
-    balls.seed = touching;
+    balls.seed = medax.touches_far_box;
     const reference::Triangulation regular = reference::regular(balls.centres, medax.radii_squared);
 
     std::vector<Cell> ours(medax.regular_cells.begin(), medax.regular_cells.end());
@@ -94,12 +97,17 @@ std::string wrong_crust(const subject::Crust& medax, const std::vector<bool>& to
 
 void compare(const std::string& name, const std::vector<Point>& rows, Report& report) {
     const subject::Crust medax = subject::power_crust(rows);
-    std::string text = std::to_string(medax.sample_count) + " samples, " + std::to_string(medax.balls.size()) + " poles, " +
+    std::string text = std::to_string(medax.pole_of_sample.size()) + " samples, " + std::to_string(medax.balls.size()) + " poles, " +
                        std::to_string(medax.facets.size()) + " facets";
-    std::vector<bool> touching;
     std::size_t near_ties = 0;
-    std::string wrong = wrong_poles(medax, touching, near_ties);
-    if (wrong.empty()) wrong = wrong_crust(medax, touching);
+    std::string wrong = wrong_poles(medax, near_ties);
+    if (!medax.solid) {
+        std::vector<Point> centres;
+        for (const auto& ball : medax.balls) centres.push_back(centre_of(ball));
+        if (wrong.empty() && !reference::is_flat(centres)) wrong = "the poles do not lie in a plane, as medax says";
+        return report.line(wrong.empty(), name, wrong.empty() ? text + " in a plane" : text + ": " + wrong);
+    }
+    if (wrong.empty()) wrong = wrong_crust(medax);
     const Solid solid = load_into_openmesh(medax.surface_vertices, medax.surface_triangles);
     text += ", Euler characteristic " + std::to_string(solid.euler_characteristic);
     if (medax.forced != 0) text += ", " + std::to_string(medax.forced) + " forced";

@@ -14,6 +14,9 @@ using Cell = std::array<std::uint32_t, 4>;
 // "None": as MEDAX_NONE.
 constexpr std::uint32_t none = UINT32_MAX;
 
+// Whether all points lie in a plane, exactly.
+bool is_flat(const std::vector<Point>& points);
+
 struct Triangulation {
     std::vector<Cell> cells;            // finite cells, sorted
     std::vector<std::uint32_t> hidden;  // points that no cell uses, ascending

@@ -25,6 +25,8 @@ using RegularVertex = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t,
 using RegularCell = CGAL::Regular_triangulation_cell_base_3<K>;
 using Regular = CGAL::Regular_triangulation_3<K, CGAL::Triangulation_data_structure_3<RegularVertex, RegularCell>>;
 
+K::Point_3 at(const reference::Point& p) { return {p[0], p[1], p[2]}; }
+
 template <class T>
 std::vector<Cell> finite_cells(const T& triangulation) {
     std::vector<Cell> cells;
@@ -45,7 +47,7 @@ namespace reference {
 
 Triangulation delaunay(const std::vector<Point>& points) {
     std::vector<std::pair<K::Point_3, std::uint32_t>> input;
-    for (const Point& p : points) input.emplace_back(K::Point_3(p[0], p[1], p[2]), input.size());
+    for (const Point& p : points) input.emplace_back(at(p), input.size());
     Delaunay triangulation(input.begin(), input.end());
     if (triangulation.dimension() != 3 || triangulation.number_of_vertices() != points.size())
         throw std::logic_error("the reference takes distinct points that are not flat");
@@ -58,7 +60,7 @@ Triangulation regular(const std::vector<Point>& rows, const std::vector<double>&
     std::vector<K::Weighted_point_3> input;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const auto& [x, y, z] = rows[i];
-        input.emplace_back(K::Point_3(x, y, z), weights[i]);
+        input.emplace_back(at(rows[i]), weights[i]);
         first_row.emplace(Key{x, y, z, weights[i]}, i);
     }
     Regular triangulation(input.begin(), input.end());
@@ -88,8 +90,13 @@ Triangulation regular(const std::vector<Point>& rows, const std::vector<double>&
 }
 
 int orientation(const Point& p, const Point& q, const Point& r, const Point& s) {
-    auto at = [](const Point& x) { return K::Point_3(x[0], x[1], x[2]); };
     return CGAL::orientation(at(p), at(q), at(r), at(s));
+}
+
+bool is_flat(const std::vector<Point>& points) {
+    std::vector<K::Point_3> input;
+    for (const Point& p : points) input.push_back(at(p));
+    return Delaunay(input.begin(), input.end()).dimension() < 3;
 }
 
 }  // namespace reference

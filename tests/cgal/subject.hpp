@@ -22,17 +22,22 @@ struct Triangulation {
     std::vector<std::uint32_t> duplicate_of;   // rows
 };
 
+// The distinct points of a file, without rows that are not finite.
+std::vector<Point> read(const std::string& path);
+
 Triangulation delaunay(const std::vector<Point>& rows);
 Triangulation regular(const std::vector<Point>& rows, const std::vector<double>& weights);
 
 // A power crust with what it was made from. Poles are numbered by medax.
 struct Crust {
-    std::size_t sample_count = 0;
+    bool solid = true;  // false: medax says that the poles lie in a plane, and there is nothing from here on
+                        // but the poles
     std::vector<Point> vertices;  // the samples, then the far box
     std::vector<std::array<std::uint32_t, 4>> cells;
     std::vector<std::array<double, 4>> balls;
     std::vector<double> radii_squared;
     std::vector<std::uint32_t> cell_of_pole;
+    std::vector<bool> touches_far_box;
     std::vector<std::array<std::uint32_t, 2>> pole_of_sample;
     std::vector<std::array<std::uint32_t, 4>> regular_cells;  // of vertices
     std::vector<std::uint32_t> pole_of_vertex;
@@ -43,6 +48,6 @@ struct Crust {
     std::vector<std::array<std::uint32_t, 3>> surface_triangles;
 };
 
-Crust power_crust(const std::vector<Point>& rows);
+Crust power_crust(const std::vector<Point>& samples);
 
 }  // namespace subject

@@ -1,0 +1,79 @@
+#include "subject.hpp"
+
+namespace subject {
+namespace {
+
+// The rows of a view as arrays of their length.
+template <std::size_t N, class T>
+std::vector<std::array<T, N>> rows(const medax::View<T>& view) {
+    std::vector<std::array<T, N>> result(view.rows());
+    for (std::size_t i = 0; i < view.rows(); ++i)
+        for (std::size_t j = 0; j < N; ++j) result[i][j] = view[i][j];
+    return result;
+}
+
+template <class T>
+std::vector<T> values(const medax::View<T>& view) {
+    return {view.begin(), view.end()};
+}
+
+Triangulation copy(const medax::Points& points, const medax::Triangulation& built) {
+    return {rows<3>(built.coords()),  rows<4>(built.cells()),         rows<4>(built.neighbors()),
+            values(built.weights()),  values(built.hidden()),         values(points.vertex_of_row()),
+            values(points.duplicate_of())};
+}
+
+void finish(Crust& crust, const medax::PowerCrust& built) {
+    const auto regular = built.regular();
+    const auto surface = built.surface();
+    crust.regular_cells = rows<4>(regular.cells());
+    crust.pole_of_vertex = values(regular.row_of_vertex());
+    for (std::uint32_t label : built.labels()) crust.inner.push_back(label == MEDAX_LABEL_INNER);
+    crust.forced = built.forced_count();
+    const auto inner = surface.attribute(MEDAX_ELEMENT_FACE, "inner_pole").u32_values;
+    const auto outer = surface.attribute(MEDAX_ELEMENT_FACE, "outer_pole").u32_values;
+    for (std::size_t face = 0; face < surface.faces().rows(); ++face)
+        crust.facets.push_back({inner[face][0], outer[face][0]});
+    crust.surface_vertices = rows<3>(surface.vertices());
+    crust.surface_triangles = rows<3>(surface.triangles());
+}
+
+}  // namespace
+
+std::vector<Point> read(const std::string& path) {
+    medax::PointsOptions options;
+    options.skip_non_finite = 1;
+    return rows<3>(medax::Points::read(path, options).coords());
+}
+
+Triangulation delaunay(const std::vector<Point>& rows) {
+    const auto points = medax::Points::from(rows);
+    return copy(points, medax::Triangulation::delaunay(points));
+}
+
+Triangulation regular(const std::vector<Point>& rows, const std::vector<double>& weights) {
+    const auto points = medax::Points::from(rows);
+    return copy(points, medax::Triangulation::regular(points, weights));
+}
+
+Crust power_crust(const std::vector<Point>& samples) {
+    const auto poles = medax::Poles::with_far_box(medax::Points::from(samples));
+    const auto triangulation = poles.triangulation();
+    Crust crust;
+    crust.vertices = rows<3>(triangulation.coords());
+    crust.cells = rows<4>(triangulation.cells());
+    crust.balls = rows<4>(poles.balls());
+    crust.radii_squared = values(poles.radii_squared());
+    crust.cell_of_pole = values(poles.cell_of_pole());
+    for (std::uint8_t touches : poles.touches_far_box()) crust.touches_far_box.push_back(touches != 0);
+    crust.pole_of_sample = rows<2>(poles.pole_of_sample());
+    try {
+        finish(crust, medax::PowerCrust::of(poles));
+    } catch (const medax::Error& error) {
+        if (error.status() != MEDAX_STATUS_DEGENERATE && error.status() != MEDAX_STATUS_TOO_FEW_POINTS) throw;
+        crust.solid = false;
+    }
+    return crust;
+}
+
+}  // namespace subject
