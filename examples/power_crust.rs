@@ -27,8 +27,8 @@ fn run(points: &str, mesh: &str, axis: &str) -> medax::Result<()> {
     let job = Job::default();
     let points = Arc::new(read_points(points, PointsOptions::default(), &job)?);
     let crust = PowerCrust::build(&points, PowerCrustOptions::default(), &job)?;
-    write_complex(crust.surface(), mesh, WriteOptions::default(), &job)?;
-    write_complex(crust.inner_shape(), axis, WriteOptions::default(), &job)?;
+    write_complex(mesh, crust.surface(), WriteOptions::default(), &job)?;
+    write_complex(axis, crust.inner_shape(), WriteOptions::default(), &job)?;
     let (poles, faces) = (crust.poles().len(), crust.surface().faces().len());
     println!("{} samples, {poles} poles, {faces} faces", points.len());
     Ok(())
