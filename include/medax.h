@@ -285,6 +285,11 @@ MEDAX_API uint64_t medax_last_error_index(void);
 typedef struct medax_complex medax_complex;
 
 /**
+ * The Voronoi or power diagram that is dual to a triangulation.
+ */
+typedef struct medax_dual medax_dual;
+
+/**
  * What a file holds, before points or a complex are made of it.
  */
 typedef struct medax_file medax_file;
@@ -313,6 +318,11 @@ typedef struct medax_poles medax_poles;
  * A power crust with all that it was made from.
  */
 typedef struct medax_power_crust medax_power_crust;
+
+/**
+ * Samples of a surface with its normals.
+ */
+typedef struct medax_samples medax_samples;
 
 /**
  * A Delaunay or regular triangulation: finite cells and their neighbours.
@@ -1133,11 +1143,196 @@ MEDAX_API const medax_incidence *medax_incidence_clone(const medax_incidence *in
  */
 MEDAX_API void medax_incidence_free(const medax_incidence *incidence);
 
-/* ---- 9. Poles --------------------------------------------------------------------------------
+/* ---- 9. Dual ---------------------------------------------------------------------------------
+ *
+ * The Voronoi diagram of a Delaunay triangulation, or the power diagram of a regular one. A Voronoi
+ * vertex is dual to a cell of the triangulation, an edge to a facet, a facet to an edge, a
+ * Voronoi cell to a vertex. What is unbounded continues along rays, one for each facet of the hull.
+ */
+
+/**
+ * What a dual holds besides centres, squared radii and rays.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * 1 keeps the Voronoi facets: a ring of cells for each edge. 0, the default: none.
+     */
+    uint32_t facets;
+    /**
+     * Must be 0.
+     */
+    uint32_t reserved;
+} medax_dual_options;
+
+/**
+ * Sets dual options to their defaults.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_status medax_dual_options_init(medax_dual_options *options, size_t struct_size);
+
+/**
+ * Reads the dual off a triangulation.
+ *
+ * \param triangulation The triangulation, which the dual keeps alive.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_dual Receives the dual, which the caller frees with #medax_dual_free.
+ * \return `MEDAX_STATUS_OK`; `LIMIT_EXCEEDED` where the rings of facets have more than 2^32 - 1 entries
+ *         together; `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(m) for m cells. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_dual_build(const medax_triangulation *triangulation,
+                              const medax_dual_options *options,
+                              const medax_job *job,
+                              const medax_dual **out_dual);
+
+/**
+ * The triangulation of a dual.
+ *
+ * \param dual The dual.
+ * \param out_triangulation Receives the triangulation, which the caller frees with
+ *        #medax_triangulation_free.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_dual_triangulation(const medax_dual *dual,
+                                      const medax_triangulation **out_triangulation);
+
+/**
+ * The Voronoi vertex of each cell: its circumcentre, or its orthocentre in a power diagram.
+ *
+ * \param dual The dual, or NULL.
+ * \return m x 3, in input units, correctly rounded; never NaN or infinite. Borrowed from `dual`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_dual_centers(const medax_dual *dual);
+
+/**
+ * The squared radius of each cell's sphere; negative where weights are large.
+ *
+ * \param dual The dual, or NULL.
+ * \return m x 1, in squared input units, correctly rounded; never NaN or infinite. Borrowed from
+ *         `dual`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_dual_radii_squared(const medax_dual *dual);
+
+/**
+ * Where the unbounded Voronoi edges begin and leave: facets of the hull.
+ *
+ * \param dual The dual, or NULL.
+ * \return r x 2, ascending: a cell, at whose centre the ray begins, and the facet 0 to 3 of that cell
+ *         whose plane it crosses at a right angle. Borrowed from `dual`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_u32 medax_dual_ray_facets(const medax_dual *dual);
+
+/**
+ * The directions of the unbounded Voronoi edges.
+ *
+ * \param dual The dual, or NULL.
+ * \return r x 3 unit vectors, outward. Borrowed from `dual`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_dual_ray_directions(const medax_dual *dual);
+
+/**
+ * The facets of the diagram: each the ring of the centres of its cells.
+ *
+ * \param dual The dual, or NULL.
+ * \return One row a facet, in the order of #medax_dual_facet_edges: cells, each the neighbour of the
+ *         one before, counterclockwise round the edge from its lesser vertex to the greater. A bounded
+ *         facet's ring is closed and begins with its least cell. An unbounded one's is open: rays
+ *         continue it. No row unless the options asked for facets. Borrowed from `dual`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_rows medax_dual_facets(const medax_dual *dual);
+
+/**
+ * The edge of the triangulation to which each facet is dual.
+ *
+ * \param dual The dual, or NULL.
+ * \return f x 2 vertices, the lesser first, ascending; no row unless the options asked for facets.
+ *         Borrowed from `dual`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_dual_facet_edges(const medax_dual *dual);
+
+/**
+ * The rays of each facet.
+ *
+ * \param dual The dual, or NULL.
+ * \return f x 2 rays: the one that comes in from infinity to the first cell, and the one that goes
+ *         out from the last; `MEDAX_NONE` twice for a bounded facet. No row unless the options
+ *         asked for facets. Borrowed from `dual`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_dual_facet_rays(const medax_dual *dual);
+
+/**
+ * Checks a dual: that each centre has the same power with respect to its cell's vertices, that rays are
+ * normal to the hull, that rings are sound.
+ *
+ * \param dual The dual.
+ * \param job NULL for a default job.
+ * \param out_report Filled, its `struct_size` being set.
+ * \return `MEDAX_STATUS_OK` whatever was found; `NULL_ARGUMENT`, `INVALID_ARGUMENT` for a report
+ *         of no version, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(m). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_dual_validate(const medax_dual *dual,
+                                 const medax_job *job,
+                                 medax_validation *out_report);
+
+/**
+ * One more reference to a dual.
+ *
+ * \param dual The dual, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_dual *medax_dual_clone(const medax_dual *dual);
+
+/**
+ * Gives one reference to a dual back; the last one frees it.
+ *
+ * \param dual The dual; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_dual_free(const medax_dual *dual);
+
+/* ---- 10. Poles --------------------------------------------------------------------------------
  *
  * The first pole of a sample is the farthest vertex of its Voronoi cell, the second the farthest one
  * on the other side. A Voronoi vertex that several samples choose is one pole. The ball round a
- * pole that passes through its samples is its polar ball.
+ * pole that passes through its samples is its polar ball. The Voronoi cell of a sample on the hull is
+ * unbounded: its first pole is at infinity, and is no row of the balls.
  *
  * Poles with the far box are those of the power crust: eight points far round the sample make
  * every Voronoi cell bounded. These eight are in no count but those of #medax_poles_triangulation.
@@ -1163,6 +1358,24 @@ typedef struct {
  * Constant time. Since 0.1.
  */
 MEDAX_API medax_status medax_poles_options_init(medax_poles_options *options, size_t struct_size);
+
+/**
+ * Builds the poles of a sample from its Voronoi diagram.
+ *
+ * \param dual The dual of a Delaunay triangulation.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_poles Receives the poles, which the caller frees with #medax_poles_free.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for the dual of a regular triangulation;
+ *         `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(m) for m cells. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_poles_build(const medax_dual *dual,
+                               const medax_poles_options *options,
+                               const medax_job *job,
+                               const medax_poles **out_poles);
 
 /**
  * Builds the poles of a sample with the far box: those from which a power crust is made.
@@ -1266,8 +1479,8 @@ MEDAX_API
 medax_view_u32 medax_poles_pole_of_sample(const medax_poles *poles);
 
 /**
- * The unit vector from each sample towards its first pole: normal to the surface, on either side
- * of it.
+ * The unit vector from each sample towards its first pole, be it at infinity: normal to the
+ * surface, on either side of it.
  *
  * \param poles The poles, or NULL.
  * \return n x 3. Borrowed from `poles`.
@@ -1284,12 +1497,12 @@ MEDAX_API medax_view_f64 medax_poles_normals(const medax_poles *poles);
  * \param query_xyz `query_count` x 3 coordinates; NULL only if `query_count` is 0.
  * \param query_count The number of points.
  * \param job NULL for a default job.
- * \param out_distances Receives `query_count` distances in input units, infinite if there is no
- *        pole; the caller's buffer, NULL only if `query_count` is 0.
+ * \param out_distances Receives `query_count` distances in input units, infinite if all poles are
+ *        at infinity; the caller's buffer, NULL only if `query_count` is 0.
  * \return `MEDAX_STATUS_OK`; `NON_FINITE` or `COORDINATE_RANGE` with the row of a query;
  *         `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
  *
- * O(p log p) for the search tree, then O(log p) a query. Since 0.1.
+ * O(log p) a query, and O(p log p) once, in the first call. Since 0.1.
  */
 MEDAX_API
 medax_status medax_poles_feature_size(const medax_poles *poles,
@@ -1333,7 +1546,7 @@ MEDAX_API const medax_poles *medax_poles_clone(const medax_poles *poles);
  */
 MEDAX_API void medax_poles_free(const medax_poles *poles);
 
-/* ---- 10. Power crust --------------------------------------------------------------------------
+/* ---- 11. Power crust --------------------------------------------------------------------------
  *
  * The poles are labelled inner and outer; the power diagram of their balls then falls into the solid
  * and its complement, and the power crust is the boundary between them: closed by construction,
@@ -1567,7 +1780,7 @@ MEDAX_API const medax_power_crust *medax_power_crust_clone(const medax_power_cru
  */
 MEDAX_API void medax_power_crust_free(const medax_power_crust *crust);
 
-/* ---- 11. Complex ------------------------------------------------------------------------------
+/* ---- 12. Complex ------------------------------------------------------------------------------
  *
  * The one output type: vertices; faces, which are polygons; loose edges, which are no side of a
  * face; volume cells; named attributes on each of them; and the faces cut into triangles.
@@ -1928,7 +2141,261 @@ MEDAX_API const medax_complex *medax_complex_clone(const medax_complex *complex)
  */
 MEDAX_API void medax_complex_free(const medax_complex *complex);
 
-/* ---- 12. Files --------------------------------------------------------------------------------
+/* ---- 13. Topology -----------------------------------------------------------------------------
+ *
+ * What a complex is as a set of elements that share others, told from its indices alone: vertices
+ * that merely lie at the same place are different vertices.
+ */
+
+/**
+ * The topology of a complex. The caller sets `struct_size`, the library the rest.
+ *
+ * What is listed twice counts once. An edge is a pair of vertices: a side of a face, of a facet of a
+ * volume cell, or a loose edge. Fields from `boundary_edges` to `oriented` tell about the
+ * surface: the listed faces, without facets that belong to volume cells only.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * The number of vertices, isolated ones included.
+     */
+    uint64_t vertices;
+    /**
+     * The number of vertices that no face, edge or cell uses.
+     */
+    uint64_t isolated_vertices;
+    /**
+     * The number of distinct edges.
+     */
+    uint64_t edges;
+    /**
+     * The number of distinct faces, facets of volume cells included.
+     */
+    uint64_t faces;
+    /**
+     * The number of distinct volume cells.
+     */
+    uint64_t cells;
+    /**
+     * The number of connected components, isolated vertices included.
+     */
+    uint64_t components;
+    /**
+     * `vertices - edges + faces - cells`.
+     */
+    int64_t euler_characteristic;
+    /**
+     * The number of edges on exactly one side of a face.
+     */
+    uint64_t boundary_edges;
+    /**
+     * The number of curves that the boundary edges form.
+     */
+    uint64_t boundary_loops;
+    /**
+     * The number of edges on more than two sides of faces.
+     */
+    uint64_t nonmanifold_edges;
+    /**
+     * The number of vertices at which the faces are neither a disk nor a half disk.
+     */
+    uint64_t nonmanifold_vertices;
+    /**
+     * The genus, summed over the components; 0 unless `has_genus`.
+     */
+    uint64_t genus;
+    /**
+     * The Betti numbers b0, b1, b2 over Z/2 of all of the complex, cells included.
+     */
+    uint64_t betti[3];
+    /**
+     * 1 if the complex is an orientable manifold surface, so that it has a genus.
+     */
+    uint32_t has_genus;
+    /**
+     * 1 if there is a face, and every edge lies on an even number of sides.
+     */
+    uint32_t closed;
+    /**
+     * 1 if there is a face, and every edge but those of the boundary is run by its faces equally
+     * often both ways.
+     */
+    uint32_t oriented;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} medax_topology;
+
+/**
+ * The topology of a complex.
+ *
+ * \param complex The complex.
+ * \param job NULL for a default job.
+ * \param out_report Filled, its `struct_size` being set.
+ * \return `MEDAX_STATUS_OK`; `LIMIT_EXCEEDED` past 2^31 - 1 sides of faces and facets;
+ *         `NULL_ARGUMENT`, `INVALID_ARGUMENT` for a report of no version, `CANCELLED`, `BUSY`,
+ *         `OUT_OF_MEMORY`.
+ *
+ * Close to linear, unless many sheets of faces meet along seams. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_complex_topology(const medax_complex *complex,
+                                    const medax_job *job,
+                                    medax_topology *out_report);
+
+/**
+ * The area of the faces and the volume that they enclose.
+ *
+ * \param complex The complex.
+ * \param job NULL for a default job.
+ * \param out_area Receives the area in squared input units; or NULL.
+ * \param out_volume Receives the volume in cubed input units: positive where faces point out, and with
+ *        a meaning for closed, oriented surfaces only; or NULL.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_complex_measure(const medax_complex *complex,
+                                   const medax_job *job,
+                                   double *out_area,
+                                   double *out_volume);
+
+/**
+ * The same complex with its faces turned so that neighbours agree and solids are inside; shells
+ * of voids point into the void. A turned face keeps its first vertex; attributes stay.
+ *
+ * \param complex The complex.
+ * \param job NULL for a default job.
+ * \param out_oriented Receives the new complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`; `LIMIT_EXCEEDED` past 2^31 - 1 sides of faces and facets;
+ *         `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(n log n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_complex_orient(const medax_complex *complex,
+                                  const medax_job *job,
+                                  const medax_complex **out_oriented);
+
+/**
+ * Checks a complex: indices, rings, finite coordinates, triangles, attributes.
+ *
+ * \param complex The complex.
+ * \param job NULL for a default job.
+ * \param out_report Filled, its `struct_size` being set.
+ * \return `MEDAX_STATUS_OK` whatever was found; `NULL_ARGUMENT`, `INVALID_ARGUMENT` for a report
+ *         of no version, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_complex_validate(const medax_complex *complex,
+                                    const medax_job *job,
+                                    medax_validation *out_report);
+
+/* ---- 14. Comparison ---------------------------------------------------------------------------
+ *
+ * How far two complexes are apart as sets of points: their faces, loose edges and cells, which are
+ * solid; or their vertices, where they have none of these.
+ */
+
+/**
+ * The settings of a comparison.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * The number of samples on each side, 100000 by default. With 0 the vertices serve.
+     */
+    uint64_t samples;
+    /**
+     * Chooses the samples, 0 by default. The same seed gives the same samples everywhere.
+     */
+    uint64_t seed;
+} medax_compare_options;
+
+/**
+ * Distances in input units. The caller sets `struct_size`, the library the rest.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * The largest distance from vertices and samples of `a` to `b`: the one-sided Hausdorff distance,
+     * or a little less.
+     */
+    double a_to_b_max;
+    /**
+     * The mean distance from samples of `a` to `b`.
+     */
+    double a_to_b_mean;
+    /**
+     * The root of the mean squared distance from samples of `a` to `b`.
+     */
+    double a_to_b_rms;
+    /**
+     * As `a_to_b_max`, the other way.
+     */
+    double b_to_a_max;
+    /**
+     * As `a_to_b_mean`, the other way.
+     */
+    double b_to_a_mean;
+    /**
+     * As `a_to_b_rms`, the other way.
+     */
+    double b_to_a_rms;
+    /**
+     * The diagonal of the smallest axis-parallel box that holds both.
+     */
+    double diagonal;
+} medax_comparison;
+
+/**
+ * Sets compare options to their defaults.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_compare_options_init(medax_compare_options *options,
+                                        size_t struct_size);
+
+/**
+ * The distances between two complexes.
+ *
+ * \param a The one complex.
+ * \param b The other one, which may be the same.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_report Filled, its `struct_size` being set.
+ * \return `MEDAX_STATUS_OK`; `TOO_FEW_POINTS` when a side has no vertex; `COORDINATE_RANGE` when a
+ *         distance is past the range of a double; `NULL_ARGUMENT`, `INVALID_ARGUMENT`,
+ *         `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O((n + samples) log n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_complex_compare(const medax_complex *a,
+                                   const medax_complex *b,
+                                   const medax_compare_options *options,
+                                   const medax_job *job,
+                                   medax_comparison *out_report);
+
+/* ---- 15. Files --------------------------------------------------------------------------------
  *
  * The ending of a path names the format. Read: PLY (text, binary), OFF, OBJ, STL (text, binary),
  * XYZ, PTS, TXT and CSV (a row a line), PWN, MA (medial meshes). Written: PLY, OFF, OBJ, STL, XYZ,
@@ -2208,6 +2675,273 @@ MEDAX_API const medax_warnings *medax_warnings_clone(const medax_warnings *warni
  * Since 0.1.
  */
 MEDAX_API void medax_warnings_free(const medax_warnings *warnings);
+
+/* ---- 16. Samples ------------------------------------------------------------------------------
+ *
+ * Points of the surfaces of built-in shapes and of meshes, evenly spread: no two are nearer than
+ * the spacing. The same options give the same points on every machine.
+ */
+
+/**
+ * A solid of known form.
+ */
+enum medax_shape
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * A torus about the z axis: core circle of radius 1, tube of radius 0.4.
+     */
+    MEDAX_SHAPE_TORUS = 0,
+    /**
+     * A box of sides 2, 1.5 and 1 about the origin.
+     */
+    MEDAX_SHAPE_BOX = 1,
+    /**
+     * All points within 0.5 of the segment from (-1, 0, 0) to (1, 0, 0).
+     */
+    MEDAX_SHAPE_CAPSULE = 2,
+    /**
+     * An ellipsoid with half axes 1.4, 1 and 0.7 along x, y and z.
+     */
+    MEDAX_SHAPE_ELLIPSOID = 3,
+    /**
+     * A tube of radius 0.3 about the trefoil knot.
+     */
+    MEDAX_SHAPE_TREFOIL = 4,
+    /**
+     * Three tori in a row, blended into one smooth surface.
+     */
+    MEDAX_SHAPE_GENUS3 = 5,
+    /**
+     * A bracket: two plates at a right angle, two holes through one, one through the other.
+     */
+    MEDAX_SHAPE_BRACKET = 6,
+    /**
+     * The unit ball.
+     */
+    MEDAX_SHAPE_SPHERE = 7,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum medax_shape medax_shape;
+#else
+typedef uint32_t medax_shape;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * What is known of a shape. The caller sets `struct_size`, the library the rest.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * The least coordinates of a box that holds the shape.
+     */
+    double min[3];
+    /**
+     * The greatest coordinates of that box.
+     */
+    double max[3];
+    /**
+     * The spacing that samples have by default: a quarter of the least local feature size of a
+     * smooth shape, about a sixth of the thinnest part of a sharp one.
+     */
+    double spacing;
+    /**
+     * The genus of the surface.
+     */
+    uint32_t genus;
+    /**
+     * The number of pieces of the surface.
+     */
+    uint32_t components;
+    /**
+     * 1 if the surface has a tangent plane everywhere.
+     */
+    uint32_t smooth;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} medax_shape_facts;
+
+/**
+ * How densely to sample, and how much noise to add.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * No two samples are nearer than this, before noise; in input units. 0, the default: that of the
+     * shape, or a hundredth of the diagonal of a mesh's bounding box.
+     */
+    double spacing;
+    /**
+     * Instead of the spacing: about how many samples a unit of area gets. 0, the default: the
+     * spacing says it.
+     */
+    double density;
+    /**
+     * The standard deviation of Gaussian noise along the normal, in input units; 0 by default.
+     */
+    double noise;
+    /**
+     * Which of the many samples, 0 by default: the same seed gives the same points.
+     */
+    uint64_t seed;
+} medax_sample_options;
+
+/**
+ * The name of a shape, such as `torus`.
+ *
+ * \param shape A #medax_shape; shapes are numbered from 0 without a gap.
+ * \return A static string; empty for a number that is no shape; never NULL.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const char *medax_shape_name(uint32_t shape);
+
+/**
+ * What is known of a shape.
+ *
+ * \param shape A #medax_shape.
+ * \param out_facts Filled, its `struct_size` being set.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a number that is no shape or
+ *         facts of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_shape_describe(uint32_t shape,
+                                  medax_shape_facts *out_facts);
+
+/**
+ * Sets sample options to their defaults.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_status medax_sample_options_init(medax_sample_options *options, size_t struct_size);
+
+/**
+ * Samples the surface of a built-in shape.
+ *
+ * \param shape A #medax_shape.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_samples Receives the samples, which the caller frees with #medax_samples_free.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for a number that is no shape, an option that is
+ *         negative or not finite, or both a spacing and a density; `LIMIT_EXCEEDED` past 2^27
+ *         samples; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * About 100 evaluations of the shape for each of 64 candidates a square of the spacing. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_samples_build(uint32_t shape,
+                                 const medax_sample_options *options,
+                                 const medax_job *job,
+                                 const medax_samples **out_samples);
+
+/**
+ * Samples the faces of a mesh.
+ *
+ * \param mesh The mesh.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_samples Receives the samples, which the caller frees with #medax_samples_free.
+ * \return As #medax_samples_build; also `DEGENERATE` if no face has an area, `COORDINATE_RANGE` if
+ *         the area overflows.
+ *
+ * O(log triangles) for each of 64 candidates a square of the spacing. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_samples_build_from_mesh(const medax_complex *mesh,
+                                           const medax_sample_options *options,
+                                           const medax_job *job,
+                                           const medax_samples **out_samples);
+
+/**
+ * The samples, noise included.
+ *
+ * \param samples The samples, or NULL.
+ * \return n x 3 coordinates, in input units. Borrowed from `samples`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_samples_coords(const medax_samples *samples);
+
+/**
+ * The outward unit normals of the surface where samples were taken; on an edge that of one of its
+ * sides.
+ *
+ * \param samples The samples, or NULL.
+ * \return n x 3. Borrowed from `samples`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_samples_normals(const medax_samples *samples);
+
+/**
+ * The least distance between two samples, before noise.
+ *
+ * \param samples The samples; NULL has 0.
+ * \return A length in input units.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API double medax_samples_spacing(const medax_samples *samples);
+
+/**
+ * The area of the surface as the number of candidates tells it, to about a per cent.
+ *
+ * \param samples The samples; NULL has 0.
+ * \return An area in squared input units.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API double medax_samples_area(const medax_samples *samples);
+
+/**
+ * The samples as vertices with the attribute `normal`, for writing to a file.
+ *
+ * \param samples The samples.
+ * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * O(n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_samples_complex(const medax_samples *samples,
+                                   const medax_complex **out_complex);
+
+/**
+ * One more reference to samples.
+ *
+ * \param samples The samples, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_samples *medax_samples_clone(const medax_samples *samples);
+
+/**
+ * Gives one reference to samples back; the last one frees them.
+ *
+ * \param samples The samples; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_samples_free(const medax_samples *samples);
 
 #ifdef __cplusplus
 }

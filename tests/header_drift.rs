@@ -7,7 +7,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// The chapters of the header in order: the files of `src/capi`.
-const CHAPTERS: [&str; 12] = [
+const CHAPTERS: [&str; 16] = [
     "status",
     "handle",
     "view",
@@ -16,10 +16,14 @@ const CHAPTERS: [&str; 12] = [
     "points",
     "triangulation",
     "incidence",
+    "dual",
     "poles",
     "crust",
     "complex",
+    "topology",
+    "compare",
     "io",
+    "sample",
 ];
 
 /// What cbindgen puts round the functions of each chapter; the header has it once.

@@ -489,6 +489,10 @@ struct Attribute {
     View<std::uint32_t> u32_values;
 };
 
+using Topology = medax_topology;
+using Comparison = medax_comparison;
+using CompareOptions = detail::Options<medax_compare_options, medax_compare_options_init>;
+
 /// Vertices, polygons, loose edges, volume cells and named attributes.
 class Complex : public detail::Handle<medax_complex, medax_complex_clone, medax_complex_free> {
 public:
@@ -525,6 +529,36 @@ public:
     }
     View<std::uint32_t> face_of_triangle() const noexcept {
         return detail::view(medax_complex_face_of_triangle(get()));
+    }
+
+    Topology topology(const Job &job = Job::fresh()) const {
+        Topology report;
+        report.struct_size = sizeof report;
+        job.check(medax_complex_topology(get(), job.get(), &report));
+        return report;
+    }
+    struct Measure {
+        double area, volume;
+    };
+    Measure measure(const Job &job = Job::fresh()) const {
+        Measure measure;
+        job.check(medax_complex_measure(get(), job.get(), &measure.area, &measure.volume));
+        return measure;
+    }
+    Complex oriented(const Job &job = Job::fresh()) const {
+        const medax_complex *oriented = nullptr;
+        job.check(medax_complex_orient(get(), job.get(), &oriented));
+        return Complex(oriented);
+    }
+    Comparison compare(const Complex &other, const CompareOptions &options = {},
+                       const Job &job = Job::fresh()) const {
+        Comparison report;
+        report.struct_size = sizeof report;
+        job.check(medax_complex_compare(get(), other.get(), &options, job.get(), &report));
+        return report;
+    }
+    Validation validate(const Job &job = Job::fresh()) const {
+        return detail::validated(medax_complex_validate, get(), job);
     }
 
     std::size_t attribute_count() const noexcept { return medax_complex_attribute_count(get()); }
@@ -584,6 +618,50 @@ public:
     }
 };
 
+// ---- Dual --------------------------------------------------------------------------------------
+
+using DualOptions = detail::Options<medax_dual_options, medax_dual_options_init>;
+
+/// The Voronoi or power diagram that is dual to a triangulation.
+class Dual : public detail::Handle<medax_dual, medax_dual_clone, medax_dual_free> {
+public:
+    /// Takes over a reference that a function of medax.h gave.
+    explicit Dual(const medax_dual *owned) noexcept : Handle(owned) {}
+
+    static Dual of(const Triangulation &triangulation, const DualOptions &options = {},
+                   const Job &job = Job::fresh()) {
+        const medax_dual *dual = nullptr;
+        job.check(medax_dual_build(triangulation.get(), &options, job.get(), &dual));
+        return Dual(dual);
+    }
+
+    Triangulation triangulation() const {
+        const medax_triangulation *triangulation = nullptr;
+        detail::check(medax_dual_triangulation(get(), &triangulation));
+        return Triangulation(triangulation);
+    }
+    View<double> centers() const noexcept { return detail::view(medax_dual_centers(get())); }
+    View<double> radii_squared() const noexcept {
+        return detail::view(medax_dual_radii_squared(get()));
+    }
+    View<std::uint32_t> ray_facets() const noexcept {
+        return detail::view(medax_dual_ray_facets(get()));
+    }
+    View<double> ray_directions() const noexcept {
+        return detail::view(medax_dual_ray_directions(get()));
+    }
+    Rows facets() const noexcept { return Rows(medax_dual_facets(get())); }
+    View<std::uint32_t> facet_edges() const noexcept {
+        return detail::view(medax_dual_facet_edges(get()));
+    }
+    View<std::uint32_t> facet_rays() const noexcept {
+        return detail::view(medax_dual_facet_rays(get()));
+    }
+    Validation validate(const Job &job = Job::fresh()) const {
+        return detail::validated(medax_dual_validate, get(), job);
+    }
+};
+
 // ---- Poles -------------------------------------------------------------------------------------
 
 using PolesOptions = detail::Options<medax_poles_options, medax_poles_options_init>;
@@ -594,6 +672,13 @@ public:
     /// Takes over a reference that a function of medax.h gave.
     explicit Poles(const medax_poles *owned) noexcept : Handle(owned) {}
 
+    /// The poles of a sample alone, at infinity on its hull.
+    static Poles of(const Dual &dual, const PolesOptions &options = {},
+                    const Job &job = Job::fresh()) {
+        const medax_poles *poles = nullptr;
+        job.check(medax_poles_build(dual.get(), &options, job.get(), &poles));
+        return Poles(poles);
+    }
     /// The poles from which a power crust is made.
     static Poles with_far_box(const Points &points, const PolesOptions &options = {},
                               const Job &job = Job::fresh()) {
@@ -695,6 +780,56 @@ public:
     std::size_t forced_count() const noexcept { return medax_power_crust_forced_count(get()); }
     Validation validate(const Job &job = Job::fresh()) const {
         return detail::validated(medax_power_crust_validate, get(), job);
+    }
+};
+
+// ---- Samples -----------------------------------------------------------------------------------
+
+using SampleOptions = detail::Options<medax_sample_options, medax_sample_options_init>;
+using ShapeFacts = medax_shape_facts;
+
+/// The name of a shape, such as `torus`.
+inline const char *name(medax_shape shape) { return medax_shape_name(shape); }
+
+/// What is known of a shape.
+inline ShapeFacts describe(medax_shape shape) {
+    ShapeFacts facts;
+    facts.struct_size = sizeof facts;
+    detail::check(medax_shape_describe(shape, &facts));
+    return facts;
+}
+
+/// Samples of a surface with its normals.
+class Samples : public detail::Handle<medax_samples, medax_samples_clone, medax_samples_free> {
+public:
+    /// Takes over a reference that a function of medax.h gave.
+    explicit Samples(const medax_samples *owned) noexcept : Handle(owned) {}
+
+    static Samples of(medax_shape shape, const SampleOptions &options = {},
+                      const Job &job = Job::fresh()) {
+        const medax_samples *samples = nullptr;
+        job.check(medax_samples_build(shape, &options, job.get(), &samples));
+        return Samples(samples);
+    }
+    static Samples of(const Complex &mesh, const SampleOptions &options = {},
+                      const Job &job = Job::fresh()) {
+        const medax_samples *samples = nullptr;
+        job.check(medax_samples_build_from_mesh(mesh.get(), &options, job.get(), &samples));
+        return Samples(samples);
+    }
+
+    View<double> coords() const noexcept { return detail::view(medax_samples_coords(get())); }
+    View<double> normals() const noexcept { return detail::view(medax_samples_normals(get())); }
+    double spacing() const noexcept { return medax_samples_spacing(get()); }
+    double area() const noexcept { return medax_samples_area(get()); }
+    /// The samples as vertices with the attribute `normal`.
+    Complex complex() const {
+        const medax_complex *complex = nullptr;
+        detail::check(medax_samples_complex(get(), &complex));
+        return Complex(complex);
+    }
+    Points points(const PointsOptions &options = {}, const Job &job = Job::fresh()) const {
+        return Points::from(coords().data(), coords().rows(), 0, options, job);
     }
 };
 

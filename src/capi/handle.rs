@@ -35,6 +35,16 @@ pub struct medax_incidence {
     pub(super) edges: crate::triangulation::Edges,
 }
 
+/// The Voronoi or power diagram that is dual to a triangulation.
+pub struct medax_dual {
+    pub(super) dual: Arc<crate::Dual>,
+}
+
+/// Samples of a surface with its normals.
+pub struct medax_samples {
+    pub(super) samples: crate::sample::Samples,
+}
+
 /// What a file holds, before points or a complex are made of it.
 pub struct medax_file {
     pub(super) soup: crate::io::Soup,
@@ -72,6 +82,8 @@ impl Handle for medax_job {}
 impl Handle for medax_points {}
 impl Handle for medax_triangulation {}
 impl Handle for medax_incidence {}
+impl Handle for medax_dual {}
+impl Handle for medax_samples {}
 impl Handle for medax_file {}
 impl Handle for medax_warnings {}
 impl Handle for medax_poles {}

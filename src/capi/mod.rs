@@ -15,13 +15,17 @@ mod handle;
 mod options;
 mod view;
 
+mod compare;
 mod complex;
 mod crust;
+mod dual;
 mod incidence;
 mod io;
 mod job;
 mod points;
 mod poles;
+mod sample;
 mod status;
+mod topology;
 mod triangulation;
 mod validation;

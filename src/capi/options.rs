@@ -34,8 +34,10 @@ unsafe impl Plain for u64 {}
 unsafe impl Plain for i64 {}
 // SAFETY: an integer.
 unsafe impl Plain for usize {}
-// SAFETY: integers.
-unsafe impl<const N: usize> Plain for [std::ffi::c_char; N] {}
+// SAFETY: an integer.
+unsafe impl Plain for std::ffi::c_char {}
+// SAFETY: in a row, nothing between them.
+unsafe impl<T: Plain, const N: usize> Plain for [T; N] {}
 // SAFETY: a float.
 unsafe impl Plain for f64 {}
 // SAFETY: a raw pointer.

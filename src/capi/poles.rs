@@ -2,13 +2,14 @@
 //!
 //! The first pole of a sample is the farthest vertex of its Voronoi cell, the second the farthest one
 //! on the other side. A Voronoi vertex that several samples choose is one pole. The ball round a
-//! pole that passes through its samples is its polar ball.
+//! pole that passes through its samples is its polar ball. The Voronoi cell of a sample on the hull is
+//! unbounded: its first pole is at infinity, and is no row of the balls.
 //!
 //! Poles with the far box are those of the power crust: eight points far round the sample make
 //! every Voronoi cell bounded. These eight are in no count but those of #medax_poles_triangulation.
 
 use super::boundary;
-use super::handle::{self, medax_job, medax_points, medax_poles, medax_triangulation};
+use super::handle::{self, medax_dual, medax_job, medax_points, medax_poles, medax_triangulation};
 use super::options::{self, sized_struct};
 use super::status::medax_status;
 use super::validation::{self, medax_validation};
@@ -41,6 +42,34 @@ pub unsafe extern "C" fn medax_poles_options_init(
     struct_size: usize,
 ) -> medax_status {
     boundary::status(|| options::init(options, struct_size, "options"))
+}
+
+/// Builds the poles of a sample from its Voronoi diagram.
+///
+/// \param dual The dual of a Delaunay triangulation.
+/// \param options NULL for the defaults.
+/// \param job NULL for a default job.
+/// \param out_poles Receives the poles, which the caller frees with #medax_poles_free.
+/// \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for the dual of a regular triangulation;
+///         `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+///
+/// O(m) for m cells. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_poles_build(
+    dual: *const medax_dual,
+    options: *const medax_poles_options,
+    job: *const medax_job,
+    out_poles: *mut *const medax_poles,
+) -> medax_status {
+    boundary::status(|| {
+        let dual = &handle::get(dual, "dual")?.dual;
+        options::read(options, "options")?;
+        let out = Out::new(out_poles, "out_poles")?;
+        let mut own = None;
+        let poles = Poles::new(dual, handle::job(job, &mut own))?;
+        out.put(handle::new(medax_poles { poles: Arc::new(poles) }));
+        Ok(())
+    })
 }
 
 /// Builds the poles of a sample with the far box: those from which a power crust is made.
@@ -169,8 +198,8 @@ pub unsafe extern "C" fn medax_poles_pole_of_sample(poles: *const medax_poles) -
     indices(poles, 2, |p| p.pole_of_sample().as_flattened())
 }
 
-/// The unit vector from each sample towards its first pole: normal to the surface, on either side
-/// of it.
+/// The unit vector from each sample towards its first pole, be it at infinity: normal to the
+/// surface, on either side of it.
 ///
 /// \param poles The poles, or NULL.
 /// \return n x 3. Borrowed from `poles`.
@@ -208,12 +237,12 @@ unsafe fn indices(
 /// \param query_xyz `query_count` x 3 coordinates; NULL only if `query_count` is 0.
 /// \param query_count The number of points.
 /// \param job NULL for a default job.
-/// \param out_distances Receives `query_count` distances in input units, infinite if there is no
-///        pole; the caller's buffer, NULL only if `query_count` is 0.
+/// \param out_distances Receives `query_count` distances in input units, infinite if all poles are
+///        at infinity; the caller's buffer, NULL only if `query_count` is 0.
 /// \return `MEDAX_STATUS_OK`; `NON_FINITE` or `COORDINATE_RANGE` with the row of a query;
 ///         `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
 ///
-/// O(p log p) for the search tree, then O(log p) a query. Since 0.1.
+/// O(log p) a query, and O(p log p) once, in the first call. Since 0.1.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn medax_poles_feature_size(
     poles: *const medax_poles,

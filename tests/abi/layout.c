@@ -91,3 +91,60 @@ FIELD(medax_poles_options, struct_size, 0);
 SIZE(medax_power_crust_options, 16);
 FIELD(medax_power_crust_options, struct_size, 0);
 FIELD(medax_power_crust_options, deep, 8);
+
+SIZE(medax_dual_options, 16);
+FIELD(medax_dual_options, struct_size, 0);
+FIELD(medax_dual_options, facets, 8);
+FIELD(medax_dual_options, reserved, 12);
+
+SIZE(medax_topology, 144);
+FIELD(medax_topology, struct_size, 0);
+FIELD(medax_topology, vertices, 8);
+FIELD(medax_topology, isolated_vertices, 16);
+FIELD(medax_topology, edges, 24);
+FIELD(medax_topology, faces, 32);
+FIELD(medax_topology, cells, 40);
+FIELD(medax_topology, components, 48);
+FIELD(medax_topology, euler_characteristic, 56);
+FIELD(medax_topology, boundary_edges, 64);
+FIELD(medax_topology, boundary_loops, 72);
+FIELD(medax_topology, nonmanifold_edges, 80);
+FIELD(medax_topology, nonmanifold_vertices, 88);
+FIELD(medax_topology, genus, 96);
+FIELD(medax_topology, betti, 104);
+FIELD(medax_topology, has_genus, 128);
+FIELD(medax_topology, closed, 132);
+FIELD(medax_topology, oriented, 136);
+FIELD(medax_topology, reserved, 140);
+
+SIZE(medax_compare_options, 24);
+FIELD(medax_compare_options, struct_size, 0);
+FIELD(medax_compare_options, samples, 8);
+FIELD(medax_compare_options, seed, 16);
+
+SIZE(medax_comparison, 64);
+FIELD(medax_comparison, struct_size, 0);
+FIELD(medax_comparison, a_to_b_max, 8);
+FIELD(medax_comparison, a_to_b_mean, 16);
+FIELD(medax_comparison, a_to_b_rms, 24);
+FIELD(medax_comparison, b_to_a_max, 32);
+FIELD(medax_comparison, b_to_a_mean, 40);
+FIELD(medax_comparison, b_to_a_rms, 48);
+FIELD(medax_comparison, diagonal, 56);
+
+SIZE(medax_sample_options, 40);
+FIELD(medax_sample_options, struct_size, 0);
+FIELD(medax_sample_options, spacing, 8);
+FIELD(medax_sample_options, density, 16);
+FIELD(medax_sample_options, noise, 24);
+FIELD(medax_sample_options, seed, 32);
+
+SIZE(medax_shape_facts, 80);
+FIELD(medax_shape_facts, struct_size, 0);
+FIELD(medax_shape_facts, min, 8);
+FIELD(medax_shape_facts, max, 32);
+FIELD(medax_shape_facts, spacing, 56);
+FIELD(medax_shape_facts, genus, 64);
+FIELD(medax_shape_facts, components, 68);
+FIELD(medax_shape_facts, smooth, 72);
+FIELD(medax_shape_facts, reserved, 76);

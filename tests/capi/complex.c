@@ -126,12 +126,16 @@ static void plane_and_empty(void) {
 
 /* Each fault alone is found, and nothing is written. */
 static void faults(void) {
-    enum { CASES = 30 };
+    enum { CASES = 31 };
+    const double nan = strtod("nan", NULL);
+    double crooked[27];
     const uint32_t late[3] = {1, 4, 7}, falling[3] = {0, 5, 4}, huge[3] = {0, UINT32_MAX, 7};
     const uint32_t two[3] = {0, 5, 7}, short_cell[3] = {0, 4, 9}, pinched[7] = {0, 3, 3, 1, 4, 5, 6};
     const uint32_t unknown[9] = {0, 3, 2, 1, 4, 5, 9, 9, 9}, loop[2] = {6, 6}, far[2] = {6, 9};
     const uint32_t no_type[2] = {MEDAX_CELL_TYPE_PYRAMID, 0}, high_type[2] = {4, 2};
     const medax_complex *complex = UNTOUCHED;
+    memcpy(crooked, vertices, sizeof crooked);
+    crooked[16] = nan;
     for (int i = 0; i < CASES; ++i) {
         medax_complex_parts parts;
         medax_attribute given[2];
@@ -169,7 +173,12 @@ static void faults(void) {
         case 26: parts.cell_types = no_type; kind = MEDAX_ERROR_KIND_CELL; index = 1; break;
         case 27: parts.cell_types = high_type; kind = MEDAX_ERROR_KIND_CELL; index = 0; break;
         case 28: given[1].u32_values.rows = 1; expected = MEDAX_STATUS_MISMATCH; break;
-        default: given[1].value_type = 2;
+        case 29: given[1].value_type = 2; break;
+        default:
+            parts.vertices = crooked;
+            expected = MEDAX_STATUS_NON_FINITE;
+            kind = MEDAX_ERROR_KIND_VERTEX;
+            index = 5;
         }
         if (!CHECK(medax_complex_create(&parts, &complex) == expected)) printf("  case %d\n", i);
         if (!CHECK(medax_last_error_kind() == kind)) printf("  case %d\n", i);

@@ -233,6 +233,41 @@ void crusts() {
     CHECK(THROWN(medax::File::read(path)).status() == MEDAX_STATUS_IO);
 }
 
+void shapes() {
+    CHECK(std::strcmp(medax::name(MEDAX_SHAPE_TORUS), "torus") == 0);
+    CHECK(medax::describe(MEDAX_SHAPE_TORUS).genus == 1);
+    medax::SampleOptions options;
+    options.spacing = 0.15;
+    const medax::Samples samples = medax::Samples::of(MEDAX_SHAPE_TORUS, options);
+    CHECK(samples.spacing() == 0.15 && std::abs(samples.area() - 15.8) < 0.5);
+    CHECK(samples.coords().rows() == samples.normals().rows());
+    CHECK(samples.complex().attribute(MEDAX_ELEMENT_VERTEX, "normal").f64_values.cols() == 3);
+    const medax::Points points = samples.points();
+    const medax::Complex surface = medax::PowerCrust::of(points).surface();
+    const medax::Topology topology = surface.topology();
+    CHECK(topology.closed && topology.oriented && topology.has_genus && topology.genus == 1);
+    CHECK(topology.betti[1] == 2 && topology.components == 1);
+    CHECK(std::abs(surface.measure().volume - 3.158) < 0.3 && surface.validate().is_valid());
+    CHECK(surface.oriented().measure().volume == surface.measure().volume);
+    CHECK(surface.compare(samples.complex()).b_to_a_max < 0.1);
+    CHECK(medax::Samples::of(surface, options).coords().rows() > 300);
+    CHECK(THROWN(medax::Samples::of(samples.complex())).status() == MEDAX_STATUS_DEGENERATE);
+
+    const medax::Triangulation t = medax::Triangulation::delaunay(points);
+    medax::DualOptions with_facets;
+    with_facets.facets = 1;
+    const medax::Dual dual = medax::Dual::of(t, with_facets);
+    CHECK(dual.validate().is_valid() && dual.triangulation().cells().data() == t.cells().data());
+    CHECK(dual.centers().rows() == t.cells().rows() && !dual.ray_facets().empty());
+    CHECK(dual.radii_squared().rows() == t.cells().rows());
+    CHECK(dual.ray_directions().rows() == dual.ray_facets().rows());
+    CHECK(dual.facets().rows() == dual.facet_edges().rows());
+    CHECK(dual.facet_rays().rows() == dual.facet_edges().rows());
+    const medax::Poles poles = medax::Poles::of(dual);
+    CHECK(!poles.has_far_box() && poles.pole_of_sample().rows() == points.count());
+    CHECK(THROWN(medax::PowerCrust::of(poles)).status() == MEDAX_STATUS_MISMATCH);
+}
+
 void threads() {
     const medax::Triangulation t = medax::Triangulation::delaunay(medax::Points::from(cloud(500)));
     std::uint64_t sums[2] = {0, 0};
@@ -254,6 +289,7 @@ int main() {
     jobs();
     complexes();
     crusts();
+    shapes();
     threads();
     std::printf("%u passed, %u failed\n", passed, failed);
     return failed == 0 ? 0 : 1;
