@@ -104,14 +104,13 @@ Poles poles(const std::vector<Point>& points, std::size_t sample_count, const st
         std::uint32_t first = none, second = none;
         for (std::uint32_t c : around[s])
             if (first == none || farther(c, first)) first = c;
-        const auto sample = at<Inexact>(points[s]), pole = at<Inexact>(result.centre[first]);
+        const Exact::Point_3 sample = at<Exact>(points[s]);
         bool beaten = false;
         for (std::uint32_t c : around[s]) {
-            if (CGAL::angle(pole, sample, at<Inexact>(result.centre[c])) == CGAL::OBTUSE &&
-                (second == none || farther(c, second)))
+            if ((second == none || farther(c, second)) && CGAL::angle(exact[c], sample, exact[first]) == CGAL::OBTUSE)
                 second = c;
             beaten = beaten || (c != first && result.radius_squared[c] == result.radius_squared[first] &&
-                                CGAL::compare_distance_to_point(at<Exact>(points[s]), exact[c], exact[first]) == CGAL::LARGER);
+                                CGAL::compare_distance_to_point(sample, exact[c], exact[first]) == CGAL::LARGER);
         }
         result.near_ties += beaten;
         result.pole_of_sample.push_back(
