@@ -1,4 +1,4 @@
-//! Pairs of floats worth about 106 bits, several at a time: the second stage.
+//! Pairs of floats, worth about 106 bits, several at a time.
 //!
 //! A pair (hi, lo) stands for hi + lo. Pairs are not normalised: `lo` may grow to a few ulps of
 //! `hi`, which costs nothing in the bounds below and saves a step in every operation. With
@@ -52,8 +52,8 @@ impl<const L: usize> Pairs<L> {
         Pairs { hi, lo: [0.0; L] }
     }
 
-    /// The same values with `hi` the float nearest to each: 1-loose for the value's own magnitude, with
-    /// the error that they had.
+    /// The same values with `hi` the float nearest to each: 1-loose for the value's own magnitude,
+    /// with the error that they had.
     #[inline(always)]
     pub(crate) fn normalized(&self) -> Self {
         Self::of(|i| {

@@ -5,15 +5,17 @@
 //! is chosen: W limbs of 64 bits for a difference, 2 W for a lifted value or a minor of two rows,
 //! and so on. If differences are below 2^(64 W - 3) and lifted values below 2^(128 W - 3), then
 //! everything fits with its sign: minors of two rows are below 2^(128 W - 5), of three below
-//! 3 * 2^(192 W - 8), the lifted determinant below 3 * 2^(320 W - 9), and that of three rows, for
-//! circles, below 3 * 2^(256 W - 8).
+//! 3 * 2^(192 W - 8), the lifted determinant below 3 * 2^(320 W - 9).
 
 use super::integer::{Int, lowest_bit, width};
 use super::sign::Sign;
 
-/// The widths: 1 limb for a difference is usual, 7 are enough within the ranges of [`super`].
-/// Coordinates are multiples of 2^-212 up to 2^200, so that differences are below 2^(201 + 212), and
-/// 413 <= 64 * 7 - 3; lifted values are multiples of 2^-424 below 2^405, and 829 <= 128 * 7 - 3.
+/// Calls a function with the widths that a grid needs: the given ones for W = 1, or their
+/// multiples.
+///
+/// W = 7 is enough within the ranges of [`super`], where coordinates are multiples of 2^-212 and
+/// weights of 2^-372: [`Grid::of`] arrives at lifted values below 2^409 in multiples of 2^-424 at
+/// least, and 409 + 424 <= 128 * 7 - 3.
 macro_rules! with_width {
     ($grid:expr, $function:ident::<$($limbs:literal),*>($($argument:expr),*)) => {
         match $grid.limbs() {
@@ -30,8 +32,6 @@ struct Grid {
     unit: i32,
     /// Squared coordinates and weights are multiples of 2^lift_unit.
     lift_unit: i32,
-    /// Differences of coordinates are below 2^bits, as multiples of 2^unit.
-    bits: i32,
     /// Lifted values are below 2^lift_bits, as multiples of 2^lift_unit.
     lift_bits: i32,
 }
@@ -55,13 +55,17 @@ impl Grid {
             let width = widest(&mut weights.iter().map(|w| w - weights[P - 1]));
             lift_width = width.map_or(lift_width, |k| k.max(lift_width)) + 1;
         }
-        Grid { unit, lift_unit, bits: width - unit, lift_bits: lift_width - lift_unit }
+        Grid { unit, lift_unit, lift_bits: lift_width - lift_unit }
     }
 
-    /// The number of limbs that differences need.
+    /// W. Only lifted values need a look: they have two bits more than the squares of differences,
+    /// so that these are below 2^(64 W - 3) where lifted values are below 2^(128 W - 3).
     fn limbs(&self) -> usize {
-        let fits = |&limbs: &i32| self.bits <= 64 * limbs - 3 && self.lift_bits <= 128 * limbs - 3;
-        [1, 2].iter().find(|limbs| fits(limbs)).map_or(7, |&limbs| limbs as usize)
+        match self.lift_bits {
+            ..=125 => 1,
+            126..=253 => 2,
+            _ => 7,
+        }
     }
 
     /// `p - origin` in multiples of 2^unit.
@@ -71,17 +75,17 @@ impl Grid {
 
     /// The lifted values |d|^2 - (w - w') in multiples of 2^lift_unit, for the differences `d`
     /// from the last point, whose weight w' is the last.
-    fn lift<const N: usize, const N2: usize, const R: usize, const P: usize>(
+    fn lift<const N: usize, const N2: usize>(
         &self,
-        rows: &[[Int<N>; 3]; R],
-        weights: Option<&[f64; P]>,
-    ) -> [Int<N2>; R] {
+        rows: &[[Int<N>; 3]; 4],
+        weights: Option<&[f64; 5]>,
+    ) -> [Int<N2>; 4] {
         std::array::from_fn(|i| {
             let [x, y, z] = rows[i];
             let square: Int<N2> = x.times(x) + y.times(y) + z.times(z);
             let square = square.shifted(2 * self.unit - self.lift_unit);
-            let weight = |w: &[f64; P], i: usize| Int::of(w[i], self.lift_unit);
-            weights.map_or(square, |w| square - (weight(w, i) - weight(w, P - 1)))
+            let weight = |w: f64| Int::of(w, self.lift_unit);
+            weights.map_or(square, |w| square - (weight(w[i]) - weight(w[4])))
         })
     }
 }
@@ -91,14 +95,14 @@ fn minor<const N: usize, const N2: usize>(a: [Int<N>; 3], b: [Int<N>; 3]) -> Int
     a[0].times(b[1]) - a[1].times(b[0])
 }
 
-/// The determinant of three rows, whose third column may be wider.
-fn three<const N: usize, const N2: usize, const M: usize, const R: usize>(
-    rows: [[Int<N>; 3]; 3],
-    third: [Int<M>; 3],
-) -> Int<R> {
-    let [a, b, c] = rows;
-    minor::<N, N2>(a, b).times(third[2]) - minor::<N, N2>(a, c).times(third[1])
-        + minor::<N, N2>(b, c).times(third[0])
+/// The determinant of three rows.
+fn three<const N: usize, const N2: usize, const N3: usize>(
+    a: [Int<N>; 3],
+    b: [Int<N>; 3],
+    c: [Int<N>; 3],
+) -> Int<N3> {
+    minor::<N, N2>(a, b).times(c[2]) - minor::<N, N2>(a, c).times(b[2])
+        + minor::<N, N2>(b, c).times(a[2])
 }
 
 /// The sign of the determinant of the rows (p - e, |p - e|^2 - (w_p - w_e)) for the points p = a,
@@ -111,39 +115,15 @@ pub(super) fn lifted_space(points: [&[f64; 3]; 5], weights: Option<&[f64; 5]>) -
         grid: &Grid,
     ) -> Sign {
         let rows = [a, b, c, d].map(|p| grid.difference::<W>(p, e));
-        let lifts = grid.lift::<W, W2, 4, 5>(&rows, weights);
+        let lifts = grid.lift::<W, W2>(&rows, weights);
         let cofactor = |i: usize, j: usize, k: usize, l: usize| -> Int<W5> {
-            let rows = [rows[i], rows[j], rows[k]];
-            three::<W, W2, W, W3>(rows, rows.map(|row| row[2])).times(lifts[l])
+            three::<W, W2, W3>(rows[i], rows[j], rows[k]).times(lifts[l])
         };
         let sum = cofactor(0, 1, 2, 3) - cofactor(0, 1, 3, 2) + cofactor(0, 2, 3, 1);
         (sum - cofactor(1, 2, 3, 0)).sign()
     }
     let grid = Grid::of(&points, weights);
     with_width!(grid, sign::<1, 2, 3, 5>(points, weights, &grid))
-}
-
-/// The sign of the determinant of the rows (p - e, |p - e|^2 - (w_p - w_e)) for the points p = a,
-/// b, c, with p - e projected along the given axis, but its length taken in space.
-#[cold]
-pub(super) fn lifted_plane(
-    points: [&[f64; 3]; 4],
-    weights: Option<&[f64; 4]>,
-    along: usize,
-) -> Sign {
-    fn sign<const W: usize, const W2: usize, const W4: usize>(
-        [a, b, c, e]: [&[f64; 3]; 4],
-        weights: Option<&[f64; 4]>,
-        along: usize,
-        grid: &Grid,
-    ) -> Sign {
-        let rows = [a, b, c].map(|p| grid.difference::<W>(p, e));
-        let lifts = grid.lift::<W, W2, 3, 4>(&rows, weights);
-        let turned = rows.map(|d| [d[(along + 1) % 3], d[(along + 2) % 3], d[along]]);
-        three::<W, W2, W2, W4>(turned, lifts).sign()
-    }
-    let grid = Grid::of(&points, weights);
-    with_width!(grid, sign::<1, 2, 4>(points, weights, along, &grid))
 }
 
 /// The sign of the determinant of the rows b - a, c - a, d - a.
@@ -153,8 +133,8 @@ pub(super) fn volume([a, b, c, d]: [&[f64; 3]; 4]) -> Sign {
         [b, c, d, a]: [&[f64; 3]; 4],
         grid: &Grid,
     ) -> Sign {
-        let rows = [b, c, d].map(|p| grid.difference::<W>(p, a));
-        three::<W, W2, W, W3>(rows, rows.map(|row| row[2])).sign()
+        let row = |p| grid.difference::<W>(p, a);
+        three::<W, W2, W3>(row(b), row(c), row(d)).sign()
     }
     let points = [b, c, d, a];
     let grid = Grid::of(&points, None);

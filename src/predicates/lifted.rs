@@ -7,8 +7,8 @@
 //! ```
 //!
 //! is negative exactly when e lies below the hyperplane through the lifted a, b, c, d, that is,
-//! inside their sphere, if abcd is positively oriented (Edelsbrunner 1987, section 1.4 and chapter 13).
-//! It is expanded by the minors of pairs of rows in the columns x, y and z, l (Laplace):
+//! inside their sphere, if abcd is positively oriented (Edelsbrunner, Shah 1996). It is expanded
+//! by the minors of pairs of rows in the columns x, y and z, l (Laplace):
 //!
 //! ```text
 //! xy(ab) zl(cd) - xy(ac) zl(bd) + xy(ad) zl(bc) + xy(bc) zl(ad) - xy(bd) zl(ac) + xy(cd) zl(ab)
@@ -17,37 +17,39 @@
 //! # Bounds
 //!
 //! u = 2^-53 is the relative error of one rounding, either way: x = x' (1 + t) and
-//! x' = x (1 + t) with |t| <= u for x' = fl(x), since nothing underflows (see [`super`]). Put
-//! exact values aside and express everything in the calculated differences x', y', z', w':
-//! the exact determinant is the sum of monomials x' y' z' (x'^2, y'^2, z'^2 or w') with one
-//! factor (1 + t) for each difference in it, and the calculated one the sum of the same
-//! monomials with one factor for each rounding that the monomial goes through. Most pass through
-//! the monomials with x'^2:
+//! x' = x (1 + t) with |t| <= u for x' = fl(x), since nothing underflows (see [`super`]). Express
+//! everything in the calculated differences x', y', z', w'. Then the exact determinant is a sum
+//! of monomials x' y' z' times x'^2, y'^2, z'^2 or w', with one factor (1 + t) for each difference
+//! in it, and the calculated one the sum of the same monomials with one factor for each rounding
+//! that the monomial goes through. Those with a square have most of both:
 //!
 //! | step | roundings |
 //! |---|---|
-//! | the differences x', y', z' and twice x' of the square | 5 |
-//! | the square; its sums with y'^2, with z'^2, with w' | 4 |
+//! | the differences x', y', z' and twice that of the square | 5 |
+//! | the square; the sums with the other two squares and with w' | 4 |
 //! | the product and the difference of a minor in x, y | 2 |
 //! | the product and the difference of a minor in z, l | 2 |
 //! | the product of two minors | 1 |
 //! | the sum of six such products, as ((1 + 3) - (2 + 4)) - (5 + 6) | 3 |
 //!
 //! Together 17, so that the error is at most 17 u / (1 - 17 u) times the permanent P: the sum of
-//! |x' y' z'| L over the 24 terms, where L = x'^2 + y'^2 + z'^2 + |w'| of a row.
-//! - **Stage 1.** P <= 24 X Y Z M, with the maxima of |x'|, |y'|, |z'| and L over the four rows:
-//!   the error is at most 408 u X Y Z M. The bound is itself calculated with at most 9 roundings, and
-//!   one to add [`TINY`]: [`MAXIMUM_BOUND`] = 410 u leaves room for them all.
-//! - **Stage 2.** P itself, calculated with at most 12 roundings of non-negative numbers:
-//!   [`PERMANENT_BOUND`] = 17.5 u.
-//! - **Stage 3.** Pairs of floats, by the rules of [`super::double_double`]. Looseness and error
-//!   of each step: differences (1, 0); squares (3, 8); sums with the second square (4, 15), the
-//!   third (5, 24), the weight (6, 35); products of x, y (3, 8), their difference (4, 15);
-//!   products of z, l (8, 63), their difference (9, 80); products of minors (14, 171), their sums
-//!   (15, 200), (16, 231), (17, 264). So the error of the pair is at most 264 u^2 P, and another
-//!   rounding adds its two parts up, whose relative error cannot change the sign:
-//!   [`PAIRS_BOUND`] = 6400 u^2 is above 24 * 264 u^2 and times X Y Z M bounds it.
-//! - **Stage 4.** Integers, [`super::exact`].
+//! |x' y' z'| L over the 24 terms, where L = x'^2 + y'^2 + z'^2 + |w'| in a row (Higham 2002,
+//! section 3.1).
+//!
+//! - **Maximum.** P <= 24 X Y Z M, with the maxima of |x'|, |y'|, |z'| and L over the four rows:
+//!   the error is at most 408 u X Y Z M. Calculating the bound takes at most 9 roundings, and one
+//!   to add [`TINY`]: [`MAXIMUM_BOUND`] = 410 u leaves room for them.
+//! - **Grid.** See [`exact_step`]: nothing is rounded.
+//! - **Permanent.** P itself, calculated with at most 14 roundings of numbers that are not
+//!   negative: [`PERMANENT_BOUND`] = 17.5 u leaves room for them.
+//! - **Pairs.** By the rules of [`super::double_double`], looseness and error of each step are:
+//!   differences (1, 0); squares (3, 8); their sums with the second square (4, 15), the third
+//!   (5, 24), the weight (6, 35); products of x, y (3, 8), their differences (4, 15); products of
+//!   z, l (8, 63), their differences (9, 80); products of minors (14, 171), their sums (15, 200),
+//!   (16, 231), (17, 264). So the error is at most 264 u^2 P <= 6336 u^2 X Y Z M, and
+//!   [`PAIRS_BOUND`] = 6400 u^2 leaves room for the rest. Adding the two parts of the pair rounds
+//!   once more, relative to the result: that cannot change its sign. See also [`zero_step`].
+//! - **Exact.** Integers: [`super::exact`].
 
 use super::double_double::Pairs;
 use super::exact;

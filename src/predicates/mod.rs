@@ -1,28 +1,25 @@
 //! Exact predicates: every decision that a triangulation takes about coordinates.
 //!
-//! Each is the sign of a determinant, calculated in stages: first in floats with a bound on the
-//! error, then in pairs of floats, then in integers, and each stage answers only when its bound
-//! proves the sign. So the answer is always exact, and the first stage settles most tests. See
-//! `docs/algorithms/predicates.md` for the stages, `lifted.rs` for their bounds.
+//! Each is the sign of a determinant. It is calculated in stages, in floats, in pairs of floats and
+//! in integers, and each stage answers only where its sign is proved. So the answer is always
+//! exact, and the first stage settles most tests. `docs/algorithms/predicates.md` describes the
+//! stages, `lifted.rs` proves their bounds.
 //!
 //! # Range
 //!
-//! Coordinates are 0 or of absolute value within
+//! Coordinates are 0 or of absolute value within [2^-160, 2^200], that is,
 //! [[`COORDINATE_MIN`](crate::points::COORDINATE_MIN),
-//! [`COORDINATE_MAX`](crate::points::COORDINATE_MAX)] = [2^-160, 2^200], weights 0 or within
-//! [[`WEIGHT_MIN`], [`WEIGHT_MAX`]] = [2^-320, 2^400]. There nothing overflows or underflows, up to
-//! the largest determinant:
+//! [`COORDINATE_MAX`](crate::points::COORDINATE_MAX)]; weights 0 or within [2^-320, 2^400], that
+//! is, [[`WEIGHT_MIN`], [`WEIGHT_MAX`]]. There nothing overflows or underflows:
 //!
-//! - Differences are below 2^201, lifted values below 3 * 2^402 + 2^401 < 2^404, the determinant and
-//!   every part of it below 24 * 2^603 * 2^404 < 2^1012.
-//! - Coordinates are multiples of 2^-212, since the last of their 53 bits is worth at least that, and
-//!   weights of 2^-372. A sum, difference or product of numbers, rounded to 53 bits, is a
-//!   multiple of all that the exact one is a multiple of, and so is the rounding error. So every
-//!   value that a determinant of three coordinates and one lifted value goes through, high or
-//!   low, is a multiple of 2^(-3 * 212 - 424) = 2^-1060. A float of such a size is exact down to
-//!   2^-1074.
+//! - Differences are at most 2^201, sums of three squares and a weight at most 3 * 2^402 + 2^401,
+//!   and the largest determinant at most 24 * 2^603 * 2^404 < 2^1012.
+//! - Coordinates are multiples of 2^-212, since the last of their 53 bits is worth at least that,
+//!   and weights of 2^-372. A number rounded to 53 bits remains a multiple of any power of two
+//!   that it was a multiple of, and so does the rounding error. So every value on the way to a
+//!   determinant of three coordinates and one lifted value, high part or low, is a multiple of
+//!   2^(-3 * 212 - 424) = 2^-1060. Floats of that size are exact down to 2^-1074.
 
-mod circle;
 pub(crate) mod double_double;
 mod exact;
 mod grid;
@@ -38,9 +35,7 @@ pub mod stages;
 mod stages;
 
 pub use orient::{collinear, coplanar_orientation, orient3d};
-pub use perturb::{
-    delaunay_conflict, delaunay_conflict_in_plane, regular_conflict, regular_conflict_in_plane,
-};
+pub use perturb::{delaunay_conflict, regular_conflict};
 pub use sign::Sign;
 pub use sphere::{insphere, power_test};
 

@@ -2,11 +2,11 @@
 //!
 //! # Bounds
 //!
-//! As in [`super::lifted`], with u = 2^-53 and the calculated differences x', y', z'.
-//! In space a monomial x' y' z' passes through 3 differences, 2 products, the difference of a
-//! minor, and 2 sums: 8 roundings, and the permanent has 6 terms. The error is at most
-//! 48 u X Y Z, with the maxima of |x'|, |y'|, |z'|; 50 u leaves room for the roundings
-//! of the bound. In a plane it is 2 + 1 + 1 = 4 roundings and 2 terms: 8 u X Y, and 9 u is enough.
+//! As in [`super::lifted`], with u = 2^-53 and the calculated differences x', y', z'. In space a
+//! monomial x' y' z' has 3 differences, and goes through 2 products, the difference of a minor,
+//! and 2 sums: 8 roundings, and the permanent has 6 terms. The error is at most 48 u X Y Z, with
+//! the maxima of |x'|, |y'|, |z'|; 50 u leaves room for the roundings of the bound. In a plane it
+//! is 2 + 1 + 1 = 4 roundings and 2 terms: at most 8 u X Y, and 9 u leaves room.
 
 use super::exact;
 use super::grid::{is_multiple, step};
@@ -15,8 +15,8 @@ use super::sign::Sign;
 
 /// The orientation of a, b, c, d: the sign of the determinant of b - a, c - a, d - a.
 ///
-/// Positive when b - a, c - a, d - a is a right-handed frame, zero when the points are coplanar. Cost: a
-/// few nanoseconds, up to some hundred for points that are nearly coplanar.
+/// Positive when b - a, c - a, d - a is a right-handed frame, zero when the points are coplanar.
+/// Cost: a few nanoseconds, about a hundred for points that are nearly coplanar.
 #[inline]
 pub fn orient3d(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3]) -> Sign {
     let row = |p: &[f64; 3]| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
@@ -32,6 +32,9 @@ pub fn orient3d(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3]) -> Sign 
 }
 
 /// The stages of [`orient3d`] after the first, given its determinant and X Y Z.
+///
+/// On a grid with 6 X Y Z below 2^53 cubes of the step, nothing was rounded; see
+/// [`exact_step`](super::lifted::exact_step).
 #[cold]
 #[inline(never)]
 fn further(points: [&[f64; 3]; 4], determinant: f64, product: f64) -> Sign {

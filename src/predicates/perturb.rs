@@ -1,19 +1,19 @@
 //! Ties: conflicts under a symbolic perturbation.
 //!
 //! Sort all points lexicographically by x, y, z. The lifted coordinate of the k-th of n grows by
-//! eps^(n - k): each by infinitely more than any before it, as eps goes to 0. No tie is left, and the
-//! order depends on nothing but coordinates, so the answer is a function of the set of points
-//! (Devillers and Teillaud 2011, section 3; CGAL's triangulations use the same scheme and order).
+//! eps^(n - k): each by infinitely more than any before it, as eps goes to 0. No tie is left, and
+//! the order depends on nothing but coordinates, so the answer is a function of the set of points
+//! (Devillers, Teillaud 2011; CGAL's triangulations use the same scheme and order).
 //!
 //! In the lifted determinant of a cell and e, the largest of the five points has the leading
 //! monomial. Its coefficient is the orientation of the four others: for e that of the cell, so
-//! that e is lifted out of the sphere; for a vertex of the cell that of the cell with e in
-//! the vertex's place. The first that is not zero decides.
+//! that e is lifted out of the sphere; for a vertex of the cell that of the cell with e in the
+//! vertex's place. The first that is not zero decides.
 
-use super::orient::{coplanar_orientation, orient3d};
+use super::orient::orient3d;
 use super::sign::Sign;
 use super::stages::{self, Stage};
-use super::{circle, lifted, position};
+use super::{lifted, position};
 use std::cmp::Ordering;
 
 /// Whether e is in conflict with the positively oriented Delaunay cell abcd: inside its sphere,
@@ -30,7 +30,7 @@ pub fn delaunay_conflict(
     e: &[f64; 4],
 ) -> bool {
     match lifted::conflict::<false>([a, b, c, d, e]) {
-        Sign::Zero => perturbed_space([a, b, c, d], e),
+        Sign::Zero => perturbed([a, b, c, d], e),
         sign => sign.is_positive(),
     }
 }
@@ -48,68 +48,28 @@ pub fn regular_conflict(
     e: &[f64; 4],
 ) -> bool {
     match lifted::conflict::<true>([a, b, c, d, e]) {
-        Sign::Zero => perturbed_space([a, b, c, d], e),
+        Sign::Zero => perturbed([a, b, c, d], e),
         sign => sign.is_positive(),
     }
 }
 
-/// Whether e, in the plane of the hull facet abc, is in conflict with the infinite cell on it:
-/// inside the circle through a, b, c, ties broken by the perturbation.
-///
-/// The four points are distinct and coplanar, a, b, c not collinear, in either order; their fourth entries are
-/// ignored.
-pub fn delaunay_conflict_in_plane(a: &[f64; 4], b: &[f64; 4], c: &[f64; 4], e: &[f64; 4]) -> bool {
-    match circle::conflict::<false>([a, b, c, e]) {
-        Sign::Zero => perturbed_plane([a, b, c], e),
-        sign => sign.is_positive(),
-    }
-}
-
-/// Whether the weighted point e, in the plane of the hull facet abc, is in conflict with the
-/// infinite cell on it: inside the power circle of a, b, c, ties broken by the perturbation.
-///
-/// The four positions are distinct and coplanar, a, b, c not collinear, in either order.
-pub fn regular_conflict_in_plane(a: &[f64; 4], b: &[f64; 4], c: &[f64; 4], e: &[f64; 4]) -> bool {
-    match circle::conflict::<true>([a, b, c, e]) {
-        Sign::Zero => perturbed_plane([a, b, c], e),
-        sign => sign.is_positive(),
-    }
-}
-
-/// The perturbed answer for a tie of five points.
+/// The perturbed answer for a tie: from the lexicographically largest point down, `false` at e,
+/// and at a vertex whether the cell with e in its place is positively oriented, unless it is flat.
 #[cold]
-fn perturbed_space(cell: [&[f64; 4]; 4], e: &[f64; 4]) -> bool {
-    let cell = cell.map(position);
-    first_decided(cell, position(e), |[a, b, c, d]| orient3d(a, b, c, d))
-}
-
-/// The perturbed answer for a tie of four coplanar points.
-#[cold]
-fn perturbed_plane(facet: [&[f64; 4]; 3], e: &[f64; 4]) -> bool {
-    let facet = facet.map(position);
-    let [a, b, c] = facet;
-    let turn = coplanar_orientation(a, b, c);
-    first_decided(facet, position(e), |[a, b, c]| turn * coplanar_orientation(a, b, c))
-}
-
-/// Goes through the vertices and e from the lexicographically largest down: `false` at e, and at
-/// a vertex whether the orientation with e in its place is positive, unless that is zero.
-fn first_decided<'a, const V: usize>(
-    vertices: [&'a [f64; 3]; V],
-    e: &'a [f64; 3],
-    orientation: impl Fn([&'a [f64; 3]; V]) -> Sign,
-) -> bool {
+fn perturbed(cell: [&[f64; 4]; 4], e: &[f64; 4]) -> bool {
     stages::count(Stage::Perturbed);
-    let mut left = [true; V];
+    let (cell, e) = (cell.map(position), position(e));
+    let mut left = [true; 4];
     loop {
-        let vertices_left = (0..V).filter(|&i| left[i]);
-        let largest = vertices_left.max_by(|&i, &j| lexicographic(vertices[i], vertices[j]));
-        let Some(i) = largest.filter(|&i| lexicographic(vertices[i], e).is_gt()) else {
+        let vertices_left = (0..4).filter(|&i| left[i]);
+        let largest = vertices_left.max_by(|&i, &j| lexicographic(cell[i], cell[j]));
+        let Some(i) = largest.filter(|&i| lexicographic(cell[i], e).is_gt()) else {
             return false;
         };
-        let mut replaced = vertices;
+        let mut replaced = cell;
         replaced[i] = e;
-        match orientation(replaced) {
+        let [a, b, c, d] = replaced;
+        match orient3d(a, b, c, d) {
             Sign::Zero => left[i] = false,
             sign => return sign.is_positive(),
         }

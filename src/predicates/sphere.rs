@@ -20,7 +20,7 @@ pub fn insphere(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3], e: &[f64
 /// to that sphere, of centre c and radius r, is negative: then e is in conflict with the cell.
 /// Zero when e is orthogonal to the sphere as well. With equal weights it is [`insphere`]. Exact
 /// for weights of either sign within the range of [`WEIGHT_MIN`](super::WEIGHT_MIN) and
-/// [`WEIGHT_MAX`](super::WEIGHT_MAX). Source: Edelsbrunner 1987, section 13.6; CGAL calls it
+/// [`WEIGHT_MAX`](super::WEIGHT_MAX). Source: Edelsbrunner, Shah 1996; CGAL calls it
 /// `power_side_of_oriented_power_sphere`.
 #[inline]
 pub fn power_test(a: &[f64; 4], b: &[f64; 4], c: &[f64; 4], d: &[f64; 4], e: &[f64; 4]) -> Sign {

@@ -9,10 +9,10 @@
 pub enum Stage {
     /// Floats, with a bound from the largest differences.
     Maximum = 0,
+    /// Floats, where every operation is known to be exact.
+    Grid = 1,
     /// Floats, with a bound from the permanent.
-    Permanent = 1,
-    /// Floats whose every operation is known to be exact.
-    Grid = 2,
+    Permanent = 2,
     /// Pairs of floats.
     Pairs = 3,
     /// Integers.

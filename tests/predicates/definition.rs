@@ -8,7 +8,7 @@ use medax::predicates::{
 };
 
 /// The number of random cases of each kind.
-const CASES: usize = 1500;
+const CASES: usize = 800;
 
 /// Checks every kind of case, and that each sign was expected often enough to mean something.
 fn cases(mut expected: impl FnMut(&str, &[[f64; 4]; 5]) -> Option<Sign>) {

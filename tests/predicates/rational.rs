@@ -55,7 +55,7 @@ pub fn volume(a: &[f64], b: &[f64], c: &[f64], d: &[f64]) -> BigRational {
     dot(&cross(&sub(&b, &a), &sub(&c, &a)), &sub(&d, &a))
 }
 
-/// The difference of e's power and a's to the sphere orthogonal to a, b, c, d with the given weights.
+/// The difference of e's power and a's to the sphere orthogonal to a, b, c, d.
 ///
 /// The centre solves 2 (p - a) . (x - a) = |p - a|^2 - (w_p - w_a) for p = b, c, d. Negative
 /// when e is in conflict with the cell. `None` if a, b, c, d are coplanar.
@@ -79,23 +79,4 @@ pub fn excess(points: [&[f64; 3]; 5], weights: &[BigRational]) -> Option<BigRati
     });
     // |x - e|^2 - w_e - |x|^2 + w_a = |e|^2 - 2 x . e - (w_e - w_a)
     Some(dot(&e, &e) - two * dot(&centre, &e) - weight(4))
-}
-
-/// The same in the plane of a, b, c, which are not collinear: the centre lies in the plane.
-pub fn excess_in_plane(points: [&[f64; 3]; 4], weights: &[BigRational]) -> Option<BigRational> {
-    let origin = vector(points[0]);
-    let [_, b, c, e] = points.map(|p| sub(&vector(p), &origin));
-    let weight = |i: usize| &weights[i] - &weights[0];
-    let two = BigRational::from_integer(BigInt::from(2));
-    // x = s b + t c with 2 p . x = |p|^2 - w_p for p = b, c.
-    let (bb, bc, cc) = (dot(&b, &b), dot(&b, &c), dot(&c, &c));
-    let determinant = &bb * &cc - &bc * &bc;
-    if determinant.is_zero() {
-        return None;
-    }
-    let (right_b, right_c) = ((&bb - weight(1)) / &two, (&cc - weight(2)) / &two);
-    let s = (&right_b * &cc - &right_c * &bc) / &determinant;
-    let t = (&right_c * &bb - &right_b * &bc) / &determinant;
-    let centre: Vector = std::array::from_fn(|i| &s * &b[i] + &t * &c[i]);
-    Some(dot(&e, &e) - two * dot(&centre, &e) - weight(3))
 }

@@ -57,15 +57,24 @@ pub fn anything(random: &mut Random, low: i32, high: i32) -> f64 {
     sign * mantissa * power_of_two(exponent)
 }
 
+/// An integer that is a few units, or close to 2^top.
+fn extreme(random: &mut Random, top: i32) -> f64 {
+    let scale = if random.below(2) == 0 { 1.0 } else { power_of_two(top - 2) };
+    scale * random.integer(4)
+}
+
 /// The names of the kinds of [`five`].
-pub const KINDS: [&str; 10] = [
+pub const KINDS: [&str; 13] = [
     "uniform",
     "small lattice",
     "large lattice",
     "far lattice",
+    "near one line",
     "near one plane",
     "near one sphere",
     "poles of one sample",
+    "balls through one lattice point",
+    "wide integers",
     "mixed scales",
     "smallest",
     "largest",
@@ -90,9 +99,19 @@ pub fn five(random: &mut Random, kind: &str) -> [[f64; 4]; 5] {
                 [x, y, z, step * step * r.integer(3)]
             })
         }
+        "near one line" => near_line(random),
         "near one plane" => near_plane(random),
         "near one sphere" => near_sphere(random),
         "poles of one sample" => one_sample(random),
+        "balls through one lattice point" => lattice_balls(random),
+        "wide integers" => {
+            // Differences of as many bits as one or two limbs hold, or a few more or less.
+            let top = [60, 124][random.below(2) as usize] + random.below(6) as i32;
+            each(random, |r| {
+                let [x, y, z] = r.triple(|r| extreme(r, top));
+                [x, y, z, extreme(r, 2 * top + 3)]
+            })
+        }
         "mixed scales" => each(random, |r| {
             let [x, y, z] = r.triple(|r| anything(r, -160, 200));
             [x, y, z, anything(r, -320, 400)]
@@ -131,6 +150,17 @@ fn each(random: &mut Random, mut row: impl FnMut(&mut Random) -> [f64; 4]) -> [[
     std::array::from_fn(|_| row(random))
 }
 
+/// Points of a line a few ulps off.
+fn near_line(random: &mut Random) -> [[f64; 4]; 5] {
+    let (origin, direction) = (random.triple(Random::unit), random.triple(Random::unit));
+    each(random, |r| {
+        let t = r.unit();
+        let p: [f64; 3] =
+            std::array::from_fn(|i| nudge(origin[i] + t * direction[i], r.integer(1) as i64));
+        [p[0], p[1], p[2], r.unit()]
+    })
+}
+
 /// Points of a plane a few ulps off, with a random normal and offset.
 fn near_plane(random: &mut Random) -> [[f64; 4]; 5] {
     let frame = [random.triple(Random::unit), random.triple(Random::unit)];
@@ -166,5 +196,17 @@ fn one_sample(random: &mut Random) -> [[f64; 4]; 5] {
         let p = r.triple(Random::unit);
         let square: f64 = (0..3).map(|i| (p[i] - sample[i]) * (p[i] - sample[i])).sum();
         [p[0], p[1], p[2], nudge(square, r.integer(1) as i64)]
+    })
+}
+
+/// Balls round long lattice vectors that span little, all but touching one point: determinants of
+/// a few units, of numbers with many digits.
+fn lattice_balls(random: &mut Random) -> [[f64; 4]; 5] {
+    let n = (1 << (3 + random.below(28))) as f64;
+    each(random, |r| {
+        let (i, j) = (r.integer(1), r.integer(1));
+        let p = [i * n + j * (n - 1.0), i * (n - 1.0) + j * (n - 2.0), r.integer(1)];
+        let square: f64 = p.iter().map(|x| x * x).sum();
+        [p[0], p[1], p[2], square + r.integer(1)]
     })
 }

@@ -1,6 +1,6 @@
 //! Integers against big integers, pairs of floats against rationals.
 
-use super::sets::{Random, anything};
+use super::sets::{Random, anything, power_of_two};
 use super::{CASES, rational};
 use crate::predicates::Sign;
 use crate::predicates::double_double::{Pairs, two_product_error, two_sum_error};
@@ -19,12 +19,11 @@ fn power(k: i32) -> BigRational {
 /// An integer below 2^bits in absolute value as a float, and as a big integer.
 fn integer(bits: u32) -> impl Strategy<Value = (f64, BigInt)> {
     (-(1i64 << 53)..1 << 53, 0..=bits - 53).prop_map(|(mantissa, shift)| {
-        let float = mantissa as f64 * (f64::from(shift)).exp2();
+        let float = mantissa as f64 * power_of_two(shift as i32);
         (float, BigInt::from(mantissa) << shift)
     })
 }
 
-/// What is left of `big` in N limbs, read back through the sign and the differences from it.
 fn equals<const N: usize>(int: Int<N>, big: &BigInt) -> bool {
     int == of_big(big)
 }
