@@ -93,7 +93,9 @@ Crust power_crust(const Balls& balls, const Triangulation& regular, double deep)
     for (std::size_t s = 0; s < balls.samples.size(); ++s) {
         const auto& [p, q] = balls.pole_of_sample[s];
         if (p == none || q == none) continue;
-        double weight = minus_cosine(balls.samples[s], balls.centres[p], balls.centres[q]);
+        double weight = std::min(minus_cosine(balls.samples[s], balls.centres[p], balls.centres[q]), 1.0);
+        // Centres are rounded: what is exactly an obtuse angle may not be one, or there is none at all.
+        if (!(weight > 0)) continue;
         opposite[p].push_back({q, weight});
         opposite[q].push_back({p, weight});
     }
