@@ -331,9 +331,11 @@ fn scaling_by_a_power_of_two_scales_the_poles() {
 
 #[test]
 fn feature_size_is_the_distance_to_the_nearest_pole() {
+    // Enough poles for more than one tree.
     let mut random = Random(9);
-    let rows: Vec<_> = (0..500).map(|_| random.cube()).collect();
+    let rows: Vec<_> = (0..25_000).map(|_| random.cube()).collect();
     let poles = boxed(&rows);
+    assert!(poles.len() > 1 << 15);
     let queries: Vec<_> = (0..200).map(|_| random.cube().map(|x| 3.0 * x - 1.0)).collect();
     for _ in 0..2 {
         let found = poles.feature_size(&queries, &Job::default()).unwrap();
