@@ -415,7 +415,96 @@ typedef struct {
     size_t rows;
 } medax_view_rows;
 
-/* ---- 4. Job ----------------------------------------------------------------------------------
+/* ---- 4. Attributes ---------------------------------------------------------------------------
+ *
+ * Named values on the vertices, loose edges, faces or volume cells of a complex or a file.
+ */
+
+/**
+ * The kinds of elements of a complex.
+ */
+enum medax_element
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * A vertex.
+     */
+    MEDAX_ELEMENT_VERTEX = 0,
+    /**
+     * A loose edge.
+     */
+    MEDAX_ELEMENT_EDGE = 1,
+    /**
+     * A face.
+     */
+    MEDAX_ELEMENT_FACE = 2,
+    /**
+     * A volume cell.
+     */
+    MEDAX_ELEMENT_CELL = 3,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum medax_element medax_element;
+#else
+typedef uint32_t medax_element;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * The type of an attribute's values.
+ */
+enum medax_value_type
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Lengths, angles, coordinates.
+     */
+    MEDAX_VALUE_TYPE_F64 = 0,
+    /**
+     * Indices and labels.
+     */
+    MEDAX_VALUE_TYPE_U32 = 1,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum medax_value_type medax_value_type;
+#else
+typedef uint32_t medax_value_type;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * Values with a name on one kind of element, one row an element.
+ */
+typedef struct {
+    /**
+     * The name, such as `radius`: a terminated UTF-8 string.
+     */
+    const char *name;
+    /**
+     * A #medax_element: what carries the values.
+     */
+    uint32_t element;
+    /**
+     * A #medax_value_type: which of the two arrays is filled.
+     */
+    uint32_t value_type;
+    /**
+     * The values, if they are of type `MEDAX_VALUE_TYPE_F64`; else without a row.
+     */
+    medax_view_f64 f64_values;
+    /**
+     * The values, if they are of type `MEDAX_VALUE_TYPE_U32`; else without a row.
+     */
+    medax_view_u32 u32_values;
+} medax_attribute;
+
+/* ---- 5. Job ----------------------------------------------------------------------------------
  *
  * Options of a build say what to build; a job says how to run it: with how many threads and how
  * much memory. It tells how far it is, and cancels.
@@ -590,7 +679,7 @@ MEDAX_API const medax_job *medax_job_clone(const medax_job *job);
  */
 MEDAX_API void medax_job_free(const medax_job *job);
 
-/* ---- 5. Validation ---------------------------------------------------------------------------
+/* ---- 6. Validation ---------------------------------------------------------------------------
  *
  * Every structure can check itself: what it promises is looked at element by element, in exact
  * arithmetic where there is any. A report is data: to find a problem is a success.
@@ -631,7 +720,7 @@ typedef struct {
     char first_message[256];
 } medax_validation;
 
-/* ---- 6. Points -------------------------------------------------------------------------------
+/* ---- 7. Points -------------------------------------------------------------------------------
  *
  * They are checked, merged where they coincide, and put into spatial order.
  *
@@ -833,7 +922,7 @@ MEDAX_API const medax_points *medax_points_clone(const medax_points *points);
  */
 MEDAX_API void medax_points_free(const medax_points *points);
 
-/* ---- 7. Triangulation ------------------------------------------------------------------------
+/* ---- 8. Triangulation ------------------------------------------------------------------------
  *
  * Exact Delaunay and regular triangulations. The power distance of a point x to a vertex p of
  * weight w is |x - p|^2 - w; a cell is in the regular triangulation when no other vertex has a
@@ -1036,6 +1125,21 @@ medax_status medax_triangulation_ring(const medax_triangulation *triangulation,
                                       uint32_t *out_closed);
 
 /**
+ * The vertices of a triangulation, hidden ones included, and its cells as tetrahedra, for writing.
+ * Vertices have the attribute `row`, and `weight` where there are weights.
+ *
+ * \param triangulation The triangulation.
+ * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `LIMIT_EXCEEDED` past 2^32 - 1
+ *         corners of cells.
+ *
+ * O(n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_triangulation_complex(const medax_triangulation *triangulation,
+                                         const medax_complex **out_complex);
+
+/**
  * Checks a triangulation in exact arithmetic: order, orientation, adjacency, the empty sphere
  * or power of every facet, the convex hull, Euler's formula, the hidden vertices.
  *
@@ -1072,7 +1176,7 @@ const medax_triangulation *medax_triangulation_clone(const medax_triangulation *
  */
 MEDAX_API void medax_triangulation_free(const medax_triangulation *triangulation);
 
-/* ---- 8. Incidence ----------------------------------------------------------------------------
+/* ---- 9. Incidence ----------------------------------------------------------------------------
  *
  * What a triangulation tells only indirectly: the cells of each vertex, and the edges.
  */
@@ -1143,7 +1247,7 @@ MEDAX_API const medax_incidence *medax_incidence_clone(const medax_incidence *in
  */
 MEDAX_API void medax_incidence_free(const medax_incidence *incidence);
 
-/* ---- 9. Dual ---------------------------------------------------------------------------------
+/* ---- 10. Dual ---------------------------------------------------------------------------------
  *
  * The Voronoi diagram of a Delaunay triangulation, or the power diagram of a regular one. A Voronoi
  * vertex is dual to a cell of the triangulation, an edge to a facet, a facet to an edge, a
@@ -1327,7 +1431,7 @@ MEDAX_API const medax_dual *medax_dual_clone(const medax_dual *dual);
  */
 MEDAX_API void medax_dual_free(const medax_dual *dual);
 
-/* ---- 10. Poles --------------------------------------------------------------------------------
+/* ---- 11. Poles --------------------------------------------------------------------------------
  *
  * The first pole of a sample is the farthest vertex of its Voronoi cell, the second the farthest one
  * on the other side. A Voronoi vertex that several samples choose is one pole. The ball round a
@@ -1512,6 +1616,32 @@ medax_status medax_poles_feature_size(const medax_poles *poles,
                                       double *out_distances);
 
 /**
+ * The poles as vertices with the attribute `radius`, in their order, for writing.
+ *
+ * \param poles The poles.
+ * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`.
+ *
+ * O(n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_poles_complex(const medax_poles *poles,
+                                 const medax_complex **out_complex);
+
+/**
+ * The samples as vertices with the attribute `normal`, for writing.
+ *
+ * \param poles The poles.
+ * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`.
+ *
+ * O(n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_poles_samples_complex(const medax_poles *poles,
+                                         const medax_complex **out_complex);
+
+/**
  * Checks poles: that each is what its samples' Voronoi cells make it.
  *
  * \param poles The poles.
@@ -1546,7 +1676,7 @@ MEDAX_API const medax_poles *medax_poles_clone(const medax_poles *poles);
  */
 MEDAX_API void medax_poles_free(const medax_poles *poles);
 
-/* ---- 11. Power crust --------------------------------------------------------------------------
+/* ---- 12. Power crust --------------------------------------------------------------------------
  *
  * The poles are labelled inner and outer; the power diagram of their balls then falls into the solid
  * and its complement, and the power crust is the boundary between them: closed by construction,
@@ -1713,6 +1843,33 @@ medax_status medax_power_crust_regular(const medax_power_crust *crust,
 MEDAX_API medax_view_u32 medax_power_crust_labels(const medax_power_crust *crust);
 
 /**
+ * The poles as vertices with the attributes `radius` and `label`, in their order, for writing.
+ *
+ * \param crust The power crust.
+ * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`.
+ *
+ * O(n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_power_crust_poles_complex(const medax_power_crust *crust,
+                                             const medax_complex **out_complex);
+
+/**
+ * The power shapes of both sides in one complex, the inner one first. Vertices have the
+ * attributes `radius`, `pole` and `label`; the sides share none.
+ *
+ * \param crust The power crust.
+ * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `LIMIT_EXCEEDED` past 2^32 - 2 elements.
+ *
+ * O(n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_power_crust_both_shapes(const medax_power_crust *crust,
+                                           const medax_complex **out_complex);
+
+/**
  * Whether a pole takes part in the power diagram: it is neither hidden nor a lighter duplicate of
  * another pole's centre.
  *
@@ -1780,7 +1937,7 @@ MEDAX_API const medax_power_crust *medax_power_crust_clone(const medax_power_cru
  */
 MEDAX_API void medax_power_crust_free(const medax_power_crust *crust);
 
-/* ---- 12. Complex ------------------------------------------------------------------------------
+/* ---- 13. Complex ------------------------------------------------------------------------------
  *
  * The one output type: vertices; faces, which are polygons; loose edges, which are no side of a
  * face; volume cells; named attributes on each of them; and the faces cut into triangles.
@@ -1788,39 +1945,6 @@ MEDAX_API void medax_power_crust_free(const medax_power_crust *crust);
  * Faces of a solid's surface point out of the material, those of voids included. Elements are
  * told apart by their indices, never by where they lie.
  */
-
-/**
- * The kinds of elements of a complex.
- */
-enum medax_element
-#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
-  : uint32_t
-#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
- {
-    /**
-     * A vertex.
-     */
-    MEDAX_ELEMENT_VERTEX = 0,
-    /**
-     * A loose edge.
-     */
-    MEDAX_ELEMENT_EDGE = 1,
-    /**
-     * A face.
-     */
-    MEDAX_ELEMENT_FACE = 2,
-    /**
-     * A volume cell.
-     */
-    MEDAX_ELEMENT_CELL = 3,
-};
-#ifndef __cplusplus
-#if __STDC_VERSION__ >= 202311L
-typedef enum medax_element medax_element;
-#else
-typedef uint32_t medax_element;
-#endif // __STDC_VERSION__ >= 202311L
-#endif // __cplusplus
 
 /**
  * The shape of a volume cell; its vertices are in VTK's order.
@@ -1850,57 +1974,6 @@ typedef enum medax_cell_type medax_cell_type;
 typedef uint32_t medax_cell_type;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
-
-/**
- * The type of an attribute's values.
- */
-enum medax_value_type
-#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
-  : uint32_t
-#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
- {
-    /**
-     * Lengths, angles, coordinates.
-     */
-    MEDAX_VALUE_TYPE_F64 = 0,
-    /**
-     * Indices and labels.
-     */
-    MEDAX_VALUE_TYPE_U32 = 1,
-};
-#ifndef __cplusplus
-#if __STDC_VERSION__ >= 202311L
-typedef enum medax_value_type medax_value_type;
-#else
-typedef uint32_t medax_value_type;
-#endif // __STDC_VERSION__ >= 202311L
-#endif // __cplusplus
-
-/**
- * Values with a name on one kind of element, one row an element.
- */
-typedef struct {
-    /**
-     * The name, such as `radius`: a terminated UTF-8 string.
-     */
-    const char *name;
-    /**
-     * A #medax_element: what carries the values.
-     */
-    uint32_t element;
-    /**
-     * A #medax_value_type: which of the two arrays is filled.
-     */
-    uint32_t value_type;
-    /**
-     * The values, if they are of type `MEDAX_VALUE_TYPE_F64`; else without a row.
-     */
-    medax_view_f64 f64_values;
-    /**
-     * The values, if they are of type `MEDAX_VALUE_TYPE_U32`; else without a row.
-     */
-    medax_view_u32 u32_values;
-} medax_attribute;
 
 /**
  * The arrays from which #medax_complex_create makes a complex. Each may be NULL if its count is
@@ -2141,7 +2214,7 @@ MEDAX_API const medax_complex *medax_complex_clone(const medax_complex *complex)
  */
 MEDAX_API void medax_complex_free(const medax_complex *complex);
 
-/* ---- 13. Topology -----------------------------------------------------------------------------
+/* ---- 14. Topology -----------------------------------------------------------------------------
  *
  * What a complex is as a set of elements that share others, told from its indices alone: vertices
  * that merely lie at the same place are different vertices.
@@ -2298,7 +2371,7 @@ medax_status medax_complex_validate(const medax_complex *complex,
                                     const medax_job *job,
                                     medax_validation *out_report);
 
-/* ---- 14. Comparison ---------------------------------------------------------------------------
+/* ---- 15. Comparison ---------------------------------------------------------------------------
  *
  * How far two complexes are apart as sets of points: their faces, loose edges and cells, which are
  * solid; or their vertices, where they have none of these.
@@ -2395,34 +2468,13 @@ medax_status medax_complex_compare(const medax_complex *a,
                                    const medax_job *job,
                                    medax_comparison *out_report);
 
-/* ---- 15. Files --------------------------------------------------------------------------------
+/* ---- 16. File contents ------------------------------------------------------------------------
  *
- * The ending of a path names the format. Read: PLY (text, binary), OFF, OBJ, STL (text, binary),
- * XYZ, PTS, TXT and CSV (a row a line), PWN, MA (medial meshes). Written: PLY, OFF, OBJ, STL, XYZ,
- * PTS, TXT, CSV, MA, VTU. Paths are UTF-8.
- *
- * Reading trusts nothing, and an error names the line of a text or the byte of a binary file.
- * Writing goes to a file beside the given name, which is moved into place when it is complete:
- * after an error, a file that was there before is as it was.
+ * What a file holds, before points or a complex are made of it. Reading trusts nothing, and an error
+ * names the line of a text or the byte of a binary file. The ending of a path names the format:
+ * PLY (text, binary), OFF, OBJ, STL (text, binary), XYZ, PTS, TXT and CSV (a row a line), PWN, MA
+ * (medial meshes). Paths are UTF-8.
  */
-
-/**
- * How to write a file.
- */
-typedef struct {
-    /**
-     * The size of this struct in the caller's program.
-     */
-    size_t struct_size;
-    /**
-     * 1 writes PLY as text; 0, the default: binary, little endian.
-     */
-    uint32_t text;
-    /**
-     * Must be 0.
-     */
-    uint32_t reserved;
-} medax_write_options;
 
 /**
  * Reads the contents of a file, of which points or a complex can then be made.
@@ -2481,6 +2533,48 @@ MEDAX_API medax_view_rows medax_file_faces(const medax_file *file);
  * Constant time. Since 0.1.
  */
 MEDAX_API medax_view_u32 medax_file_edges(const medax_file *file);
+
+/**
+ * The number of attributes of a file.
+ *
+ * \param file The contents; NULL has none.
+ * \return The number of attributes, over all kinds of elements.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API size_t medax_file_attribute_count(const medax_file *file);
+
+/**
+ * An attribute of a file by its number.
+ *
+ * \param file The contents.
+ * \param index Which attribute, below #medax_file_attribute_count.
+ * \param out_attribute Receives the attribute, whose name and values are borrowed from `file`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` past the last attribute.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_file_attribute_at(const medax_file *file,
+                                     size_t index,
+                                     medax_attribute *out_attribute);
+
+/**
+ * The attribute of a file with the given name.
+ *
+ * \param file The contents.
+ * \param element A #medax_element: what carries the attribute.
+ * \param name The name, such as `weight`; UTF-8.
+ * \param out_attribute Receives the attribute, whose name and values are borrowed from `file`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` if there is none.
+ *
+ * O(attributes). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_file_attribute(const medax_file *file,
+                                  uint32_t element,
+                                  const char *name,
+                                  medax_attribute *out_attribute);
 
 /**
  * What was left out in reading a file.
@@ -2549,6 +2643,31 @@ MEDAX_API const medax_file *medax_file_clone(const medax_file *file);
  * Since 0.1.
  */
 MEDAX_API void medax_file_free(const medax_file *file);
+
+/* ---- 17. Reading and writing ------------------------------------------------------------------
+ *
+ * Written are PLY, OFF, OBJ, STL, XYZ, PTS, TXT, CSV, MA and VTU, by the ending of the path, to a
+ * file beside the given name, which is moved into place when it is complete: after an error, a file
+ * that was there before is as it was.
+ */
+
+/**
+ * How to write a file.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * 1 writes PLY as text; 0, the default: binary, little endian.
+     */
+    uint32_t text;
+    /**
+     * Must be 0.
+     */
+    uint32_t reserved;
+} medax_write_options;
 
 /**
  * Reads points: #medax_file_read and #medax_file_points in one.
@@ -2676,7 +2795,7 @@ MEDAX_API const medax_warnings *medax_warnings_clone(const medax_warnings *warni
  */
 MEDAX_API void medax_warnings_free(const medax_warnings *warnings);
 
-/* ---- 16. Samples ------------------------------------------------------------------------------
+/* ---- 18. Samples ------------------------------------------------------------------------------
  *
  * Points of the surfaces of built-in shapes and of meshes, evenly spread: no two are nearer than
  * the spacing. The same options give the same points on every machine.

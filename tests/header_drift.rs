@@ -7,10 +7,11 @@ use std::path::Path;
 use std::{env, fs};
 
 /// The chapters of the header in order: the files of `src/capi`.
-const CHAPTERS: [&str; 16] = [
+const CHAPTERS: [&str; 18] = [
     "status",
     "handle",
     "view",
+    "attribute",
     "job",
     "validation",
     "points",
@@ -22,6 +23,7 @@ const CHAPTERS: [&str; 16] = [
     "complex",
     "topology",
     "compare",
+    "file",
     "io",
     "sample",
 ];

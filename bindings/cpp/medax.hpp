@@ -369,113 +369,6 @@ public:
     }
 };
 
-// ---- Triangulation -----------------------------------------------------------------------------
-
-using TriangulationOptions =
-    detail::Options<medax_triangulation_options, medax_triangulation_options_init>;
-
-/// A Delaunay or regular triangulation.
-class Triangulation : public detail::Handle<medax_triangulation, medax_triangulation_clone,
-                                            medax_triangulation_free> {
-public:
-    /// Takes over a reference that a function of medax.h gave.
-    explicit Triangulation(const medax_triangulation *owned) noexcept : Handle(owned) {}
-
-    static Triangulation delaunay(const Points &points, const TriangulationOptions &options = {},
-                                  const Job &job = Job::fresh()) {
-        const medax_triangulation *built = nullptr;
-        job.check(medax_delaunay_build(points.get(), &options, job.get(), &built));
-        return Triangulation(built);
-    }
-    /// One weight per input row of the points, in squared units.
-    static Triangulation regular(const Points &points, const std::vector<double> &weights,
-                                 const TriangulationOptions &options = {},
-                                 const Job &job = Job::fresh()) {
-        const medax_triangulation *built = nullptr;
-        job.check(medax_regular_build(points.get(), weights.data(), weights.size(), &options,
-                                      job.get(), &built));
-        return Triangulation(built);
-    }
-
-    Points points() const {
-        const medax_points *points = nullptr;
-        detail::check(medax_triangulation_points(get(), &points));
-        return Points(points);
-    }
-    View<double> coords() const noexcept { return detail::view(medax_triangulation_coords(get())); }
-    View<double> weights() const noexcept {
-        return detail::view(medax_triangulation_weights(get()));
-    }
-    View<std::uint32_t> row_of_vertex() const noexcept {
-        return detail::view(medax_triangulation_row_of_vertex(get()));
-    }
-    View<std::uint32_t> cells() const noexcept {
-        return detail::view(medax_triangulation_cells(get()));
-    }
-    View<std::uint32_t> neighbors() const noexcept {
-        return detail::view(medax_triangulation_neighbors(get()));
-    }
-    View<std::uint32_t> hidden() const noexcept {
-        return detail::view(medax_triangulation_hidden(get()));
-    }
-
-    /// A cell that holds the point, or medax::none outside the convex hull.
-    std::uint32_t locate(const Point &point, std::uint32_t hint_cell = 0) const {
-        std::uint32_t cell = none;
-        detail::check(medax_triangulation_locate(get(), point.data(), hint_cell, &cell));
-        return cell;
-    }
-
-    /// The cells round an edge; not closed on the hull.
-    struct Ring {
-        std::vector<std::uint32_t> cells;
-        bool closed;
-    };
-    /// The ring round the edge from `a` to `b`, given one of its cells.
-    Ring ring(std::uint32_t cell, std::uint32_t a, std::uint32_t b) const {
-        std::vector<std::uint32_t> cells(32);
-        std::size_t count = 0;
-        std::uint32_t closed = 0;
-        const auto fill = [&] {
-            detail::check(medax_triangulation_ring(get(), cell, a, b, cells.size(), cells.data(),
-                                                   &count, &closed));
-            const bool fits = count <= cells.size();
-            cells.resize(count);
-            return fits;
-        };
-        if (!fill()) fill();
-        return {std::move(cells), closed != 0};
-    }
-
-    Validation validate(const Job &job = Job::fresh()) const {
-        return detail::validated(medax_triangulation_validate, get(), job);
-    }
-};
-
-// ---- Incidence ---------------------------------------------------------------------------------
-
-/// The cells of each vertex of a triangulation, and its edges.
-class Incidence
-    : public detail::Handle<medax_incidence, medax_incidence_clone, medax_incidence_free> {
-public:
-    /// Takes over a reference that a function of medax.h gave.
-    explicit Incidence(const medax_incidence *owned) noexcept : Handle(owned) {}
-
-    static Incidence of(const Triangulation &triangulation, const Job &job = Job::fresh()) {
-        const medax_incidence *built = nullptr;
-        job.check(medax_incidence_build(triangulation.get(), job.get(), &built));
-        return Incidence(built);
-    }
-
-    Rows cells_of_vertex() const noexcept { return Rows(medax_incidence_cells_of_vertex(get())); }
-    View<std::uint32_t> edges() const noexcept {
-        return detail::view(medax_incidence_edges(get()));
-    }
-    View<std::uint32_t> cell_of_edge() const noexcept {
-        return detail::view(medax_incidence_cell_of_edge(get()));
-    }
-};
-
 // ---- Complex -----------------------------------------------------------------------------------
 
 using ComplexParts = detail::Options<medax_complex_parts, medax_complex_parts_init>;
@@ -487,6 +380,13 @@ struct Attribute {
     medax_value_type value_type;
     View<double> f64_values;
     View<std::uint32_t> u32_values;
+
+    explicit Attribute(const medax_attribute &found) noexcept
+        : name(found.name),
+          element(static_cast<medax_element>(found.element)),
+          value_type(static_cast<medax_value_type>(found.value_type)),
+          f64_values(detail::view(found.f64_values)),
+          u32_values(detail::view(found.u32_values)) {}
 };
 
 using Topology = medax_topology;
@@ -565,25 +465,130 @@ public:
     Attribute attribute(std::size_t index) const {
         medax_attribute found;
         detail::check(medax_complex_attribute_at(get(), index, &found));
-        return describe(found);
+        return Attribute(found);
     }
     /// The attribute of this name, which must be there.
-    Attribute attribute(medax_element element, const char *name) const {
-        medax_attribute found;
-        detail::check(medax_complex_attribute(get(), element, name, &found));
-        return describe(found);
-    }
     Attribute attribute(medax_element element, const std::string &name) const {
-        return attribute(element, name.c_str());
-    }
-
-private:
-    static Attribute describe(const medax_attribute &found) noexcept {
-        return {found.name, static_cast<medax_element>(found.element),
-                static_cast<medax_value_type>(found.value_type), detail::view(found.f64_values),
-                detail::view(found.u32_values)};
+        medax_attribute found;
+        detail::check(medax_complex_attribute(get(), element, name.c_str(), &found));
+        return Attribute(found);
     }
 };
+
+// ---- Triangulation -----------------------------------------------------------------------------
+
+using TriangulationOptions =
+    detail::Options<medax_triangulation_options, medax_triangulation_options_init>;
+
+/// A Delaunay or regular triangulation.
+class Triangulation : public detail::Handle<medax_triangulation, medax_triangulation_clone,
+                                            medax_triangulation_free> {
+public:
+    /// Takes over a reference that a function of medax.h gave.
+    explicit Triangulation(const medax_triangulation *owned) noexcept : Handle(owned) {}
+
+    static Triangulation delaunay(const Points &points, const TriangulationOptions &options = {},
+                                  const Job &job = Job::fresh()) {
+        const medax_triangulation *built = nullptr;
+        job.check(medax_delaunay_build(points.get(), &options, job.get(), &built));
+        return Triangulation(built);
+    }
+    /// One weight per input row of the points, in squared units.
+    static Triangulation regular(const Points &points, const std::vector<double> &weights,
+                                 const TriangulationOptions &options = {},
+                                 const Job &job = Job::fresh()) {
+        const medax_triangulation *built = nullptr;
+        job.check(medax_regular_build(points.get(), weights.data(), weights.size(), &options,
+                                      job.get(), &built));
+        return Triangulation(built);
+    }
+
+    Points points() const {
+        const medax_points *points = nullptr;
+        detail::check(medax_triangulation_points(get(), &points));
+        return Points(points);
+    }
+    View<double> coords() const noexcept { return detail::view(medax_triangulation_coords(get())); }
+    View<double> weights() const noexcept {
+        return detail::view(medax_triangulation_weights(get()));
+    }
+    View<std::uint32_t> row_of_vertex() const noexcept {
+        return detail::view(medax_triangulation_row_of_vertex(get()));
+    }
+    View<std::uint32_t> cells() const noexcept {
+        return detail::view(medax_triangulation_cells(get()));
+    }
+    View<std::uint32_t> neighbors() const noexcept {
+        return detail::view(medax_triangulation_neighbors(get()));
+    }
+    View<std::uint32_t> hidden() const noexcept {
+        return detail::view(medax_triangulation_hidden(get()));
+    }
+
+    /// A cell that holds the point, or medax::none outside the convex hull.
+    std::uint32_t locate(const Point &point, std::uint32_t hint_cell = 0) const {
+        std::uint32_t cell = none;
+        detail::check(medax_triangulation_locate(get(), point.data(), hint_cell, &cell));
+        return cell;
+    }
+
+    /// The cells round an edge; not closed on the hull.
+    struct Ring {
+        std::vector<std::uint32_t> cells;
+        bool closed;
+    };
+    /// The ring round the edge from `a` to `b`, given one of its cells.
+    Ring ring(std::uint32_t cell, std::uint32_t a, std::uint32_t b) const {
+        std::vector<std::uint32_t> cells(32);
+        std::size_t count = 0;
+        std::uint32_t closed = 0;
+        const auto fill = [&] {
+            detail::check(medax_triangulation_ring(get(), cell, a, b, cells.size(), cells.data(),
+                                                   &count, &closed));
+            const bool fits = count <= cells.size();
+            cells.resize(count);
+            return fits;
+        };
+        if (!fill()) fill();
+        return {std::move(cells), closed != 0};
+    }
+
+    /// The vertices and the cells as tetrahedra, for writing.
+    Complex complex() const {
+        const medax_complex *complex = nullptr;
+        detail::check(medax_triangulation_complex(get(), &complex));
+        return Complex(complex);
+    }
+    Validation validate(const Job &job = Job::fresh()) const {
+        return detail::validated(medax_triangulation_validate, get(), job);
+    }
+};
+
+// ---- Incidence ---------------------------------------------------------------------------------
+
+/// The cells of each vertex of a triangulation, and its edges.
+class Incidence
+    : public detail::Handle<medax_incidence, medax_incidence_clone, medax_incidence_free> {
+public:
+    /// Takes over a reference that a function of medax.h gave.
+    explicit Incidence(const medax_incidence *owned) noexcept : Handle(owned) {}
+
+    static Incidence of(const Triangulation &triangulation, const Job &job = Job::fresh()) {
+        const medax_incidence *built = nullptr;
+        job.check(medax_incidence_build(triangulation.get(), job.get(), &built));
+        return Incidence(built);
+    }
+
+    Rows cells_of_vertex() const noexcept { return Rows(medax_incidence_cells_of_vertex(get())); }
+    View<std::uint32_t> edges() const noexcept {
+        return detail::view(medax_incidence_edges(get()));
+    }
+    View<std::uint32_t> cell_of_edge() const noexcept {
+        return detail::view(medax_incidence_cell_of_edge(get()));
+    }
+};
+
+// ---- File contents ------------------------------------------------------------------------------
 
 /// What a file holds, before points or a complex are made of it.
 class File : public detail::Handle<medax_file, medax_file_clone, medax_file_free> {
@@ -601,6 +606,18 @@ public:
     View<double> vertices() const noexcept { return detail::view(medax_file_vertices(get())); }
     Rows faces() const noexcept { return Rows(medax_file_faces(get())); }
     View<std::uint32_t> edges() const noexcept { return detail::view(medax_file_edges(get())); }
+    std::size_t attribute_count() const noexcept { return medax_file_attribute_count(get()); }
+    Attribute attribute(std::size_t index) const {
+        medax_attribute found;
+        detail::check(medax_file_attribute_at(get(), index, &found));
+        return Attribute(found);
+    }
+    /// The attribute of this name, which must be there.
+    Attribute attribute(medax_element element, const std::string &name) const {
+        medax_attribute found;
+        detail::check(medax_file_attribute(get(), element, name.c_str(), &found));
+        return Attribute(found);
+    }
     Warnings warnings() const {
         const medax_warnings *warnings = nullptr;
         detail::check(medax_file_warnings(get(), &warnings));
@@ -717,6 +734,18 @@ public:
                                            distances.data()));
         return distances;
     }
+    /// The poles as vertices with `radius`, for writing.
+    Complex complex() const {
+        const medax_complex *complex = nullptr;
+        detail::check(medax_poles_complex(get(), &complex));
+        return Complex(complex);
+    }
+    /// The samples as vertices with `normal`, for writing.
+    Complex samples_complex() const {
+        const medax_complex *complex = nullptr;
+        detail::check(medax_poles_samples_complex(get(), &complex));
+        return Complex(complex);
+    }
     Validation validate(const Job &job = Job::fresh()) const {
         return detail::validated(medax_poles_validate, get(), job);
     }
@@ -778,6 +807,18 @@ public:
         return medax_power_crust_unreached_count(get());
     }
     std::size_t forced_count() const noexcept { return medax_power_crust_forced_count(get()); }
+    /// The poles as vertices with `radius` and `label`, for writing.
+    Complex poles_complex() const {
+        const medax_complex *complex = nullptr;
+        detail::check(medax_power_crust_poles_complex(get(), &complex));
+        return Complex(complex);
+    }
+    /// The power shapes of both sides in one complex, the inner one first.
+    Complex both_shapes() const {
+        const medax_complex *complex = nullptr;
+        detail::check(medax_power_crust_both_shapes(get(), &complex));
+        return Complex(complex);
+    }
     Validation validate(const Job &job = Job::fresh()) const {
         return detail::validated(medax_power_crust_validate, get(), job);
     }

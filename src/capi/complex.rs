@@ -6,30 +6,17 @@
 //! Faces of a solid's surface point out of the material, those of voids included. Elements are
 //! told apart by their indices, never by where they lie.
 
+use super::attribute::{self, medax_attribute};
 use super::boundary;
 use super::handle::{self, medax_complex};
 use super::options::{self, sized_struct};
-use super::status::{c_text, medax_status};
+use super::status::medax_status;
 use super::view::{self, Out, medax_view_f64, medax_view_rows, medax_view_u32};
-use crate::complex::{Attribute, CellType, Complex, ComplexParts, Element, Rows, Values};
+use crate::complex::{CellType, Complex, ComplexParts, Rows};
 use crate::error::{ElementKind, Error, Result, Status};
 use std::ffi::c_char;
 use std::ptr;
 use std::sync::Arc;
-
-/// The kinds of elements of a complex.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(u32)]
-pub enum medax_element {
-    /// A vertex.
-    Vertex = 0,
-    /// A loose edge.
-    Edge = 1,
-    /// A face.
-    Face = 2,
-    /// A volume cell.
-    Cell = 3,
-}
 
 /// The shape of a volume cell; its vertices are in VTK's order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,17 +30,6 @@ pub enum medax_cell_type {
     PolygonalPyramid = 3,
 }
 
-impl From<Element> for medax_element {
-    fn from(kind: Element) -> Self {
-        match kind {
-            Element::Vertex => medax_element::Vertex,
-            Element::Edge => medax_element::Edge,
-            Element::Face => medax_element::Face,
-            Element::Cell => medax_element::Cell,
-        }
-    }
-}
-
 impl From<CellType> for medax_cell_type {
     fn from(kind: CellType) -> Self {
         match kind {
@@ -62,32 +38,6 @@ impl From<CellType> for medax_cell_type {
             CellType::PolygonalPyramid => medax_cell_type::PolygonalPyramid,
         }
     }
-}
-
-/// The type of an attribute's values.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(u32)]
-pub enum medax_value_type {
-    /// Lengths, angles, coordinates.
-    F64 = 0,
-    /// Indices and labels.
-    U32 = 1,
-}
-
-/// Values with a name on one kind of element, one row an element.
-#[derive(Clone, Copy, Debug)]
-#[repr(C)]
-pub struct medax_attribute {
-    /// The name, such as `radius`: a terminated UTF-8 string.
-    pub name: *const c_char,
-    /// A #medax_element: what carries the values.
-    pub element: u32,
-    /// A #medax_value_type: which of the two arrays is filled.
-    pub value_type: u32,
-    /// The values, if they are of type `MEDAX_VALUE_TYPE_F64`; else without a row.
-    pub f64_values: medax_view_f64,
-    /// The values, if they are of type `MEDAX_VALUE_TYPE_U32`; else without a row.
-    pub u32_values: medax_view_u32,
 }
 
 /// The arrays from which #medax_complex_create makes a complex. Each may be NULL if its count is
@@ -196,7 +146,7 @@ pub unsafe extern "C" fn medax_complex_create(
             edges: view::rows(parts.edges, parts.edge_count, "edges")?.to_vec(),
             cells: rows(parts.cell_offsets, parts.cell_indices, parts.cell_count, "cell")?,
             cell_types: kinds.iter().enumerate().map(cell_type).collect::<Result<_>>()?,
-            attributes: attributes.iter().map(|a| attribute(a)).collect::<Result<_>>()?,
+            attributes: attributes.iter().map(|a| attribute::read(a)).collect::<Result<_>>()?,
         })?;
         out.put(give(Arc::new(complex)));
         Ok(())
@@ -205,7 +155,7 @@ pub unsafe extern "C" fn medax_complex_create(
 
 /// A new handle on a complex.
 pub(super) fn give(complex: Arc<Complex>) -> *const medax_complex {
-    let names = complex.attributes().iter().map(|a| c_text(a.name())).collect();
+    let names = attribute::names(complex.attributes());
     handle::new(medax_complex { complex, names })
 }
 
@@ -231,37 +181,6 @@ fn cell_type((cell, &number): (usize, &u32)) -> Result<CellType> {
             Error::new(Status::InvalidArgument, format!("{number} is not a cell type"))
                 .at(ElementKind::Cell, cell as u64)
         })
-}
-
-fn element(number: u32) -> Result<Element> {
-    [Element::Vertex, Element::Edge, Element::Face, Element::Cell]
-        .into_iter()
-        .find(|&kind| medax_element::from(kind) as u32 == number)
-        .ok_or_else(|| {
-            Error::new(Status::InvalidArgument, format!("{number} is not a kind of element"))
-        })
-}
-
-/// The caller's attribute.
-unsafe fn attribute(given: &medax_attribute) -> Result<Attribute> {
-    let name = view::text(given.name, "attribute name")?;
-    let count = |rows: usize, cols: usize| {
-        rows.checked_mul(cols).ok_or_else(|| {
-            Error::new(Status::InvalidArgument, format!("no memory holds attribute '{name}'"))
-        })
-    };
-    let (f64s, u32s) = (&given.f64_values, &given.u32_values);
-    let (cols, values) = if given.value_type == medax_value_type::F64 as u32 {
-        let values = view::slice(f64s.data, count(f64s.rows, f64s.cols)?, name)?;
-        (f64s.cols, Values::F64(values.to_vec()))
-    } else if given.value_type == medax_value_type::U32 as u32 {
-        let values = view::slice(u32s.data, count(u32s.rows, u32s.cols)?, name)?;
-        (u32s.cols, Values::U32(values.to_vec()))
-    } else {
-        let message = format!("attribute '{name}' has an unknown value_type");
-        return Err(Error::new(Status::InvalidArgument, message));
-    };
-    Attribute::new(name, element(given.element)?, cols, values)
 }
 
 /// 2 for plane results, whose z is 0 throughout, else 3.
@@ -405,9 +324,7 @@ pub unsafe extern "C" fn medax_complex_attribute_at(
     boundary::status(|| {
         let complex = handle::get(complex, "complex")?;
         let out = Out::new(out_attribute, "out_attribute")?;
-        out.put(describe(complex, index).ok_or_else(|| {
-            Error::new(Status::InvalidArgument, format!("there is no attribute {index}"))
-        })?);
+        out.put(attribute::at(complex.complex.attributes(), &complex.names, index)?);
         Ok(())
     })
 }
@@ -430,34 +347,10 @@ pub unsafe extern "C" fn medax_complex_attribute(
 ) -> medax_status {
     boundary::status(|| {
         let complex = handle::get(complex, "complex")?;
-        let kind = self::element(element)?;
         let name = view::text(name, "name")?;
         let out = Out::new(out_attribute, "out_attribute")?;
-        let mut attributes = complex.complex.attributes().iter();
-        let index = attributes.position(|a| a.element() == kind && a.name() == name);
-        let found = index.and_then(|index| describe(complex, index));
-        out.put(found.ok_or_else(|| {
-            let message = format!("there is no attribute '{name}' on elements of kind {element}");
-            Error::new(Status::InvalidArgument, message)
-        })?);
+        out.put(attribute::named(complex.complex.attributes(), &complex.names, element, name)?);
         Ok(())
-    })
-}
-
-/// What C sees of an attribute.
-fn describe(complex: &medax_complex, index: usize) -> Option<medax_attribute> {
-    let attribute = complex.complex.attributes().get(index)?;
-    let cols = attribute.width();
-    let (value_type, f64s, u32s) = match attribute.values() {
-        Values::F64(values) => (medax_value_type::F64, &values[..], &[][..]),
-        Values::U32(values) => (medax_value_type::U32, &[][..], &values[..]),
-    };
-    Some(medax_attribute {
-        name: complex.names.get(index)?.as_ptr(),
-        element: medax_element::from(attribute.element()) as u32,
-        value_type: value_type as u32,
-        f64_values: medax_view_f64::new(f64s, cols),
-        u32_values: medax_view_u32::new(u32s, cols),
     })
 }
 

@@ -249,6 +249,47 @@ pub unsafe extern "C" fn medax_power_crust_labels(
     })
 }
 
+/// The poles as vertices with the attributes `radius` and `label`, in their order, for writing.
+///
+/// \param crust The power crust.
+/// \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+/// \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`.
+///
+/// O(n). Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_power_crust_poles_complex(
+    crust: *const medax_power_crust,
+    out_complex: *mut *const medax_complex,
+) -> medax_status {
+    boundary::status(|| {
+        let crust = &handle::get(crust, "crust")?.crust;
+        let out = Out::new(out_complex, "out_complex")?;
+        out.put(complex::give(Arc::new(crust.poles_to_complex()?)));
+        Ok(())
+    })
+}
+
+/// The power shapes of both sides in one complex, the inner one first. Vertices have the
+/// attributes `radius`, `pole` and `label`; the sides share none.
+///
+/// \param crust The power crust.
+/// \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+/// \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `LIMIT_EXCEEDED` past 2^32 - 2 elements.
+///
+/// O(n). Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_power_crust_both_shapes(
+    crust: *const medax_power_crust,
+    out_complex: *mut *const medax_complex,
+) -> medax_status {
+    boundary::status(|| {
+        let crust = &handle::get(crust, "crust")?.crust;
+        let out = Out::new(out_complex, "out_complex")?;
+        out.put(complex::give(Arc::new(crust.both_shapes()?)));
+        Ok(())
+    })
+}
+
 /// Whether a pole takes part in the power diagram: it is neither hidden nor a lighter duplicate of
 /// another pole's centre.
 ///

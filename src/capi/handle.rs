@@ -48,6 +48,8 @@ pub struct medax_samples {
 /// What a file holds, before points or a complex are made of it.
 pub struct medax_file {
     pub(super) soup: crate::io::Soup,
+    /// The names of the attributes, terminated for C.
+    pub(super) names: Vec<CString>,
 }
 
 /// Sentences about what a file did not hold, or what was left out of it.

@@ -15,10 +15,12 @@ mod handle;
 mod options;
 mod view;
 
+mod attribute;
 mod compare;
 mod complex;
 mod crust;
 mod dual;
+mod file;
 mod incidence;
 mod io;
 mod job;

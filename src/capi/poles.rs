@@ -9,7 +9,10 @@
 //! every Voronoi cell bounded. These eight are in no count but those of #medax_poles_triangulation.
 
 use super::boundary;
-use super::handle::{self, medax_dual, medax_job, medax_points, medax_poles, medax_triangulation};
+use super::complex;
+use super::handle::{
+    self, medax_complex, medax_dual, medax_job, medax_points, medax_poles, medax_triangulation,
+};
 use super::options::{self, sized_struct};
 use super::status::medax_status;
 use super::validation::{self, medax_validation};
@@ -257,6 +260,46 @@ pub unsafe extern "C" fn medax_poles_feature_size(
         let out = Buffer::new(out_distances, query_count, "out_distances")?;
         let mut own = None;
         out.fill(&poles.feature_size(queries, handle::job(job, &mut own))?);
+        Ok(())
+    })
+}
+
+/// The poles as vertices with the attribute `radius`, in their order, for writing.
+///
+/// \param poles The poles.
+/// \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+/// \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`.
+///
+/// O(n). Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_poles_complex(
+    poles: *const medax_poles,
+    out_complex: *mut *const medax_complex,
+) -> medax_status {
+    boundary::status(|| {
+        let poles = &handle::get(poles, "poles")?.poles;
+        let out = Out::new(out_complex, "out_complex")?;
+        out.put(complex::give(Arc::new(poles.to_complex()?)));
+        Ok(())
+    })
+}
+
+/// The samples as vertices with the attribute `normal`, for writing.
+///
+/// \param poles The poles.
+/// \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+/// \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`.
+///
+/// O(n). Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_poles_samples_complex(
+    poles: *const medax_poles,
+    out_complex: *mut *const medax_complex,
+) -> medax_status {
+    boundary::status(|| {
+        let poles = &handle::get(poles, "poles")?.poles;
+        let out = Out::new(out_complex, "out_complex")?;
+        out.put(complex::give(Arc::new(poles.samples_to_complex()?)));
         Ok(())
     })
 }

@@ -9,7 +9,8 @@
 //! Vertices are those of the points. Facet i of a cell is the one opposite its vertex i.
 
 use super::boundary;
-use super::handle::{self, medax_job, medax_points, medax_triangulation};
+use super::complex;
+use super::handle::{self, medax_complex, medax_job, medax_points, medax_triangulation};
 use super::options::{self, sized_struct};
 use super::status::medax_status;
 use super::validation::{self, medax_validation};
@@ -303,6 +304,28 @@ pub unsafe extern "C" fn medax_triangulation_ring(
         closed.put(u32::from(triangulation.ring(cell, a, b, &mut ring)));
         count.put(ring.len());
         target.fill(&ring);
+        Ok(())
+    })
+}
+
+/// The vertices of a triangulation, hidden ones included, and its cells as tetrahedra, for writing.
+/// Vertices have the attribute `row`, and `weight` where there are weights.
+///
+/// \param triangulation The triangulation.
+/// \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+/// \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `LIMIT_EXCEEDED` past 2^32 - 1
+///         corners of cells.
+///
+/// O(n). Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_triangulation_complex(
+    triangulation: *const medax_triangulation,
+    out_complex: *mut *const medax_complex,
+) -> medax_status {
+    boundary::status(|| {
+        let triangulation = &handle::get(triangulation, "triangulation")?.triangulation;
+        let out = Out::new(out_complex, "out_complex")?;
+        out.put(complex::give(Arc::new(triangulation.to_complex()?)));
         Ok(())
     })
 }

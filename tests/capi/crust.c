@@ -174,6 +174,20 @@ static void parts(void) {
     CHECK_STATUS(OK, medax_complex_attribute(inner, MEDAX_ELEMENT_VERTEX, "radius", &attribute));
     CHECK(attribute.f64_values.rows == medax_complex_vertices(inner).rows);
 
+    CHECK_STATUS(NULL_ARGUMENT, medax_power_crust_poles_complex(NULL, &other));
+    CHECK_STATUS(NULL_ARGUMENT, medax_power_crust_poles_complex(crust, NULL));
+    CHECK_STATUS(NULL_ARGUMENT, medax_power_crust_both_shapes(NULL, &other));
+    CHECK_STATUS(NULL_ARGUMENT, medax_power_crust_both_shapes(crust, NULL));
+    CHECK(other == NULL);
+    CHECK_STATUS(OK, medax_power_crust_poles_complex(crust, &other));
+    CHECK_STATUS(OK, medax_complex_attribute(other, MEDAX_ELEMENT_VERTEX, "label", &attribute));
+    CHECK(attribute.u32_values.rows == labels.rows);
+    CHECK(memcmp(attribute.u32_values.data, labels.data, labels.rows * sizeof(uint32_t)) == 0);
+    medax_complex_free(other);
+    CHECK_STATUS(OK, medax_power_crust_both_shapes(crust, &other));
+    CHECK(medax_complex_vertices(other).rows == visible);
+    medax_complex_free(other);
+
     /* From the poles the same comes out. */
     CHECK_STATUS(OK, medax_power_crust_build_from_poles(poles, NULL, NULL, &again));
     CHECK_STATUS(OK, medax_power_crust_surface(again, &other));

@@ -73,6 +73,29 @@ static void there_and_back(void) {
         CHECK(attribute.f64_values.rows == 5 && attribute.f64_values.data[4] == 0.5);
         medax_complex_free(again);
         again = NULL;
+
+        const medax_file *file = NULL;
+        CHECK_STATUS(OK, medax_file_read(ply, NULL, &file));
+        CHECK_STATUS(OK, medax_file_attribute(file, MEDAX_ELEMENT_VERTEX, "radius", &attribute));
+        CHECK(attribute.f64_values.rows == 5 && attribute.f64_values.data[4] == 0.5);
+        const double *values = attribute.f64_values.data;
+        CHECK(medax_file_attribute_count(file) >= 1);
+        attribute.name = NULL;
+        for (size_t i = 0; i < medax_file_attribute_count(file); ++i) {
+            CHECK_STATUS(OK, medax_file_attribute_at(file, i, &attribute));
+            if (strcmp(attribute.name, "radius") == 0) CHECK(attribute.f64_values.data == values);
+        }
+        attribute.name = NULL;
+        CHECK_STATUS(INVALID_ARGUMENT, medax_file_attribute_at(file, SIZE_MAX, &attribute));
+        CHECK_STATUS(INVALID_ARGUMENT, medax_file_attribute(file, 4, "radius", &attribute));
+        CHECK_STATUS(INVALID_ARGUMENT, medax_file_attribute(file, 2, "radius", &attribute));
+        CHECK_STATUS(NULL_ARGUMENT, medax_file_attribute(file, 0, NULL, &attribute));
+        CHECK_STATUS(NULL_ARGUMENT, medax_file_attribute(file, 0, "radius", NULL));
+        CHECK_STATUS(NULL_ARGUMENT, medax_file_attribute(NULL, 0, "radius", &attribute));
+        CHECK_STATUS(NULL_ARGUMENT, medax_file_attribute_at(NULL, 0, &attribute));
+        CHECK_STATUS(NULL_ARGUMENT, medax_file_attribute_at(file, 0, NULL));
+        CHECK(attribute.name == NULL && medax_file_attribute_count(NULL) == 0);
+        medax_file_free(file);
     }
     CHECK_STATUS(OK, medax_complex_write(complex, path("square.off"), NULL, NULL, &warnings));
     NEED(warnings != NULL);

@@ -118,6 +118,23 @@ static void a_sphere(void) {
     CHECK(distances[0] == -1);
     CHECK_STATUS(OK, medax_poles_feature_size(poles, NULL, 0, NULL, NULL));
 
+    const medax_complex *complex = NULL;
+    medax_attribute attribute;
+    CHECK_STATUS(NULL_ARGUMENT, medax_poles_complex(NULL, &complex));
+    CHECK_STATUS(NULL_ARGUMENT, medax_poles_complex(poles, NULL));
+    CHECK_STATUS(NULL_ARGUMENT, medax_poles_samples_complex(NULL, &complex));
+    CHECK_STATUS(NULL_ARGUMENT, medax_poles_samples_complex(poles, NULL));
+    CHECK(complex == NULL);
+    CHECK_STATUS(OK, medax_poles_complex(poles, &complex));
+    CHECK_STATUS(OK, medax_complex_attribute(complex, MEDAX_ELEMENT_VERTEX, "radius", &attribute));
+    CHECK(attribute.f64_values.rows == balls.rows);
+    CHECK(attribute.f64_values.data[0] == balls.data[3]);
+    medax_complex_free(complex);
+    CHECK_STATUS(OK, medax_poles_samples_complex(poles, &complex));
+    CHECK_STATUS(OK, medax_complex_attribute(complex, MEDAX_ELEMENT_VERTEX, "normal", &attribute));
+    CHECK(memcmp(attribute.f64_values.data, normals.data, sizeof xyz) == 0);
+    medax_complex_free(complex);
+
     report.struct_size = sizeof report;
     CHECK_STATUS(OK, medax_poles_validate(poles, NULL, &report));
     CHECK(report.problems == 0 && report.checked > 0);

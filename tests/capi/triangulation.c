@@ -179,6 +179,18 @@ static void weighted(void) {
     CHECK(hidden.data[0] == medax_points_vertex_of_row(points).data[4]);
     CHECK(medax_triangulation_row_of_vertex(t).data[hidden.data[0]] == 5);
     CHECK(medax_triangulation_weights(t).data[hidden.data[0]] == -200);
+
+    const medax_complex *complex = NULL;
+    medax_attribute row;
+    CHECK_STATUS(NULL_ARGUMENT, medax_triangulation_complex(NULL, &complex));
+    CHECK_STATUS(NULL_ARGUMENT, medax_triangulation_complex(t, NULL));
+    CHECK(complex == NULL);
+    CHECK_STATUS(OK, medax_triangulation_complex(t, &complex));
+    CHECK(medax_complex_cells(complex).rows == 1 && medax_complex_vertices(complex).rows == 5);
+    CHECK(medax_complex_cell_types(complex).data[0] == MEDAX_CELL_TYPE_TETRAHEDRON);
+    CHECK_STATUS(OK, medax_complex_attribute(complex, MEDAX_ELEMENT_VERTEX, "row", &row));
+    CHECK(row.u32_values.data[hidden.data[0]] == 5);
+    medax_complex_free(complex);
     medax_triangulation_free(t);
     medax_points_free(points);
 }

@@ -223,8 +223,19 @@ void crusts() {
 
     const std::string path = "cxx_surface.off";
     CHECK(surface.write(path).count() == 3);
+    const medax::Complex both = crust.both_shapes();
+    CHECK(both.vertices().rows() == crust.shape(MEDAX_LABEL_INNER).vertices().rows()
+                                        + crust.shape(MEDAX_LABEL_OUTER).vertices().rows());
+    CHECK(crust.poles_complex().attribute(MEDAX_ELEMENT_VERTEX, "label").u32_values.rows()
+          == crust.labels().rows());
+    CHECK(poles.complex().vertices().rows() == poles.balls().rows());
+    CHECK(poles.samples_complex().vertices().rows() == points.count());
+    CHECK(poles.triangulation().complex().cells().rows() == poles.triangulation().cells().rows());
     const medax::File file = medax::File::read(path);
     CHECK(file.is_mesh() && file.faces().rows() == surface.faces().rows());
+    CHECK(file.attribute_count() == 0);
+    CHECK(THROWN(file.attribute(0)).status() == MEDAX_STATUS_INVALID_ARGUMENT);
+    CHECK(THROWN(file.attribute(MEDAX_ELEMENT_FACE, "label")).index() == UINT64_MAX);
     CHECK(file.warnings().empty() && file.points().row_count() == file.vertices().rows());
     CHECK(file.complex().faces().rows() == medax::Complex::read(path).faces().rows());
     CHECK(medax::Points::read(path).write(path + ".xyz").empty());
