@@ -1,9 +1,9 @@
 //! Ties: conflicts under a symbolic perturbation.
 //!
 //! Sort all points lexicographically by x, y, z. The lifted coordinate of the k-th of n grows by
-//! eps^(n - k): each by infinitely more than any before it, as eps goes to 0. No tie is left, and
-//! the order depends on nothing but coordinates, so the answer is a function of the set of points
-//! (Devillers, Teillaud 2011; CGAL's triangulations use the same scheme and order).
+//! eps^(n - k + 1): each by infinitely more than any before it, as eps goes to 0. No tie is left,
+//! and the order depends on nothing but coordinates, so the answer is a function of the set of
+//! points (Devillers, Teillaud 2011; CGAL's triangulations use the same scheme and order).
 //!
 //! In the lifted determinant of a cell and e, the largest of the five points has the leading
 //! monomial. Its coefficient is the orientation of the four others: for e that of the cell, so

@@ -7,7 +7,7 @@ use medax::predicates::{delaunay_conflict, orient3d, position, regular_conflict}
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-/// The weights less eps^(n - rank), with the rank of each point in lexicographic order and an eps
+/// The weights less eps^(n - rank + 1), with the rank of each point in lexicographic order and an eps
 /// far below what distinguishes points with small integer coordinates.
 fn perturbed(points: &[&[f64; 3]], weights: &mut [BigRational]) {
     for (i, p) in points.iter().enumerate() {
