@@ -60,8 +60,10 @@ pub struct PowerCrust {
 impl PowerCrust {
     /// The power crust of a sample.
     ///
-    /// Errors: [`Status::TooFewPoints`] below four distinct points, [`Status::Degenerate`] where
-    /// all lie in a plane, [`Status::InvalidArgument`] for options out of range, and those of
+    /// Where no pole is inner the surface is empty: the sample is too sparse for its shape. Errors:
+    /// [`Status::TooFewPoints`] below four distinct points or four poles, [`Status::Degenerate`]
+    /// where all points or all poles lie in a plane, [`Status::CoordinateRange`] where poles leave
+    /// the range of the predicates, [`Status::InvalidArgument`] for options out of range, and those of
     /// the job. Cost: that of two triangulations, of the n samples and of their at most 2 n
     /// poles, nearly all of it in the second.
     pub fn build(points: &Arc<Points>, options: PowerCrustOptions, job: &Job) -> Result<Self> {
@@ -187,8 +189,21 @@ impl PowerCrust {
 }
 
 /// The regular triangulation of the polar balls: weights are squared radii.
+///
+/// The poles are our own rows, not the caller's: an error about them says so, and names no row.
 fn triangulate_balls(poles: &Poles, run: &Run<'_>) -> Result<Triangulation> {
+    let of_poles = |error: Error| match error.status() {
+        Status::CoordinateRange | Status::TooFewPoints | Status::Degenerate => Error::new(
+            error.status(),
+            format!(
+                "the sample's {} poles have no power diagram ({}); sample the surface more densely",
+                poles.len(),
+                error.message()
+            ),
+        ),
+        _ => error,
+    };
     let centers = poles.balls().iter().map(|&[x, y, z, _]| [x, y, z]);
-    let points = Arc::new(Points::new_in(centers, PointsOptions::default(), run)?);
-    Triangulation::regular_in(&points, poles.radii_squared(), run)
+    let points = Points::new_in(centers, PointsOptions::default(), run).map_err(of_poles)?;
+    Triangulation::regular_in(&Arc::new(points), poles.radii_squared(), run).map_err(of_poles)
 }

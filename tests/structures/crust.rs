@@ -99,8 +99,8 @@ fn every_kind_of_set_gives_a_closed_surface() {
         let crust = crust(&rows);
         assert_valid(&crust, name);
         let topology = crust.surface().topology(&Job::default()).unwrap();
-        let empty = crust.surface().faces().is_empty();
-        assert!(topology.closed || empty, "{name}: {topology:?}");
+        // Between two lines there is no solid: no pole is inner.
+        assert_eq!(topology.closed, name != "two lines", "{name}: {topology:?}");
         assert_eq!(topology.nonmanifold_edges, 0, "{name}");
         assert_eq!(topology.nonmanifold_vertices, 0, "{name}");
     }
@@ -161,4 +161,30 @@ fn bad_input_is_an_error() {
     }
     let huge: Vec<_> = solid.iter().map(|p| p.map(|x| x * 2f64.powi(198))).collect();
     assert_eq!(build(&huge, 0.4), Status::CoordinateRange);
+}
+
+#[test]
+fn errors_about_poles_do_not_blame_rows() {
+    let build = |rows: &[[f64; 3]]| {
+        PowerCrust::build(&points(rows), Default::default(), &Job::default()).unwrap_err()
+    };
+    let solid = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let flat_poles =
+        [[1.0, 2.0, 2.0], [0.0, 0.0, 2.0], [1.0, 2.0, 0.0], [1.0, 0.0, 2.0], [0.0, 2.0, 2.0]];
+    for (rows, status) in
+        [(&solid[..], Status::TooFewPoints), (&flat_poles[..], Status::Degenerate)]
+    {
+        let error = build(rows);
+        assert_eq!((error.status(), error.element()), (status, None));
+        assert!(error.message().contains("poles"), "{error}");
+    }
+}
+
+#[test]
+fn without_an_inner_pole_the_surface_is_empty() {
+    let rows: Vec<_> = (0..8).map(|i| [i & 1, i >> 1 & 1, i >> 2].map(f64::from)).collect();
+    let crust = crust(&rows);
+    assert!(crust.labels().iter().all(|label| *label == Label::Outer));
+    assert!(crust.surface().faces().is_empty());
+    assert_valid(&crust, "cube");
 }

@@ -55,7 +55,7 @@ fn the_callback_can_cancel() {
 }
 
 #[test]
-fn a_cancelled_job_is_spent_and_stops_soon() {
+fn a_cancelled_job_is_spent() {
     let job = Arc::new(Job::default());
     let points = cloud(300_000);
     let (send, receive) = mpsc::channel();
@@ -63,8 +63,7 @@ fn a_cancelled_job_is_spent_and_stops_soon() {
         let job = job.clone();
         thread::spawn(move || {
             send.send(()).unwrap();
-            let status = Triangulation::delaunay(&points, &job).map(|_| ()).unwrap_err().status();
-            (status, Instant::now())
+            Triangulation::delaunay(&points, &job).map(|_| ()).unwrap_err().status()
         })
     };
     receive.recv().unwrap();
@@ -72,8 +71,7 @@ fn a_cancelled_job_is_spent_and_stops_soon() {
     assert_eq!(job.stage(), Stage::Triangulate);
     assert!(job.progress() > 0.0);
     job.cancel();
-    let (status, _) = build.join().unwrap();
-    assert_eq!(status, Status::Cancelled);
+    assert_eq!(build.join().unwrap(), Status::Cancelled);
     let again = Triangulation::delaunay(&cloud(10), &job).unwrap_err();
     assert_eq!(again.status(), Status::Cancelled);
 }

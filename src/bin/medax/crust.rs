@@ -85,6 +85,11 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     }
     options.validate.report(&mut report, || crust.validate(&session.job))?;
     describe(&crust, &mut report);
+    if crust.surface().faces().is_empty() {
+        session.warn(
+            "no pole is inner, so the surface is empty: the sample is too sparse for its shape",
+        );
+    }
 
     let triangles = if options.triangles { Some(crust.surface().triangulated()?) } else { None };
     let surface = triangles.as_ref().unwrap_or(crust.surface());

@@ -172,6 +172,11 @@ impl Session {
         self.parameters.clone()
     }
 
+    /// Says something that the user should know of a result that is no failure.
+    pub fn warn(&mut self, warning: &str) {
+        self.warnings.push(warning.into());
+    }
+
     pub fn warnings(&self) -> &[String] {
         &self.warnings
     }
