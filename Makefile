@@ -45,7 +45,7 @@ test-package:
 	mv $(STAGED) $(MOVED)
 	cmake -S tests -B $(BUILD)/tests -G Ninja -DCMAKE_PREFIX_PATH=$(MOVED) -DMEDAX_TARGET_DIR=$(BUILD)/medax/target
 	cmake --build $(BUILD)/tests
-	ctest --test-dir $(BUILD)/tests --output-on-failure
+	ctest --test-dir $(BUILD)/tests --output-on-failure -j2
 
 bench:
 	cargo bench --locked

@@ -40,14 +40,19 @@ struct Poles {
     // The Voronoi vertices (as least cells) that are the first and the second pole of each of the first
     // `sample_count` points, or none.
     std::vector<std::array<std::uint32_t, 2>> pole_of_sample;
+    // For points on the hull the mean of the unit outward normals of its hull facets, made a unit vector; 0 for
+    // others. Their first pole lies at infinity.
+    std::vector<Point> to_infinity;
     // First poles that another Voronoi vertex beats by less than a double can tell.
     std::size_t near_ties = 0;
 };
 
-// The poles of the first `sample_count` points, none of them on the hull: the farthest Voronoi
-// vertex, then the farthest one at an obtuse angle to it. Distances are compared as the nearest doubles of
-// their exact squares, equal ones by the coordinates of the centres, least first, then by cell. `cells`
-// are those of the Delaunay triangulation.
-Poles poles(const std::vector<Point>& points, std::size_t sample_count, const std::vector<Cell>& cells);
+// The poles of the first `sample_count` points: the farthest Voronoi vertex, then the farthest one at an
+// obtuse angle to it. Distances are compared as the nearest doubles of their exact squares, equal
+// ones by the coordinates of the centres, least first, then by cell. `cells` are those of the Delaunay
+// triangulation. Where the first pole is at infinity, `directions` has the direction to which the
+// angle is taken, for every sample.
+Poles poles(const std::vector<Point>& points, std::size_t sample_count, const std::vector<Cell>& cells,
+            const std::vector<Point>& directions);
 
 }  // namespace reference

@@ -4,6 +4,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <numeric>
 #include <tuple>
@@ -35,8 +36,12 @@ double nearest(const Exact::FT& x) {
     return bits % 2 == 0 ? low : high;
 }
 
-// Pairs of cells that share a facet.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours(const std::vector<Cell>& cells) {
+struct Facets {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> shared;  // pairs of cells
+    std::vector<std::pair<std::array<std::uint32_t, 3>, std::uint32_t>> hull;  // with their cell
+};
+
+Facets facets_of(const std::vector<Cell>& cells) {
     std::vector<std::pair<std::array<std::uint32_t, 3>, std::uint32_t>> sides;
     for (std::uint32_t c = 0; c < cells.size(); ++c) {
         Cell cell = cells[c];
@@ -45,25 +50,61 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours(const std::vecto
         sides.insert(sides.end(), {{{j, k, l}, c}, {{i, k, l}, c}, {{i, j, l}, c}, {{i, j, k}, c}});
     }
     std::sort(sides.begin(), sides.end());
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    for (std::size_t i = 0; i + 1 < sides.size(); ++i)
-        if (sides[i].first == sides[i + 1].first) pairs.emplace_back(sides[i].second, sides[i + 1].second);
-    return pairs;
+    Facets facets;
+    for (std::size_t i = 0; i < sides.size(); ++i)
+        if (i + 1 < sides.size() && sides[i].first == sides[i + 1].first) {
+            facets.shared.emplace_back(sides[i].second, sides[i + 1].second);
+            ++i;
+        } else {
+            facets.hull.push_back(sides[i]);
+        }
+    return facets;
+}
+
+// The vertex of the cell that the facet lacks.
+template <class Facet>
+std::uint32_t apex_of(const Cell& cell, const Facet& facet) {
+    for (std::uint32_t v : cell)
+        if (std::find(facet.begin(), facet.end(), v) == facet.end()) return v;
+    return none;
+}
+
+std::vector<Point> directions_to_infinity(const std::vector<Point>& points, std::size_t sample_count,
+                                          const std::vector<Cell>& cells, const Facets& facets) {
+    std::vector<Point> sums(sample_count, Point{0, 0, 0});
+    const auto unit = [](Point p) {
+        const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+        for (double& x : p) x /= length;
+        return p;
+    };
+    for (const auto& [facet, cell] : facets.hull) {
+        const Exact::Point_3 a = at<Exact>(points[facet[0]]);
+        Exact::Vector_3 normal =
+            CGAL::cross_product(at<Exact>(points[facet[1]]) - a, at<Exact>(points[facet[2]]) - a);
+        if (normal * (at<Exact>(points[apex_of(cells[cell], facet)]) - a) > 0) normal = -normal;
+        const Point outward = unit({CGAL::to_double(CGAL::exact(normal.x())), CGAL::to_double(CGAL::exact(normal.y())),
+                                    CGAL::to_double(CGAL::exact(normal.z()))});
+        for (std::uint32_t v : facet)
+            if (v < sample_count)
+                for (int i = 0; i < 3; ++i) sums[v][i] += outward[i];
+    }
+    for (Point& sum : sums)
+        if (sum != Point{0, 0, 0}) sum = unit(sum);
+    return sums;
 }
 
 // Cells of one circumcentre are joined by facets across which the sphere test gives zero.
-std::vector<std::uint32_t> voronoi_vertices(const std::vector<Point>& points, const std::vector<Cell>& cells) {
+std::vector<std::uint32_t> voronoi_vertices(const std::vector<Point>& points, const std::vector<Cell>& cells,
+                                            const Facets& facets) {
     std::vector<std::uint32_t> parent(cells.size());
     std::iota(parent.begin(), parent.end(), 0);
     auto root = [&](std::uint32_t c) {
         while (parent[c] != c) c = parent[c] = parent[parent[c]];
         return c;
     };
-    for (const auto& [a, b] : neighbours(cells)) {
+    for (const auto& [a, b] : facets.shared) {
         const Cell& cell = cells[a];
-        std::uint32_t apex = none;
-        for (std::uint32_t v : cells[b])
-            if (std::find(cell.begin(), cell.end(), v) == cell.end()) apex = v;
+        const std::uint32_t apex = apex_of(cells[b], cell);
         if (CGAL::side_of_oriented_sphere(at<Inexact>(points[cell[0]]), at<Inexact>(points[cell[1]]),
                                           at<Inexact>(points[cell[2]]), at<Inexact>(points[cell[3]]),
                                           at<Inexact>(points[apex])) == CGAL::ON_ORIENTED_BOUNDARY) {
@@ -79,9 +120,12 @@ std::vector<std::uint32_t> voronoi_vertices(const std::vector<Point>& points, co
 
 namespace reference {
 
-Poles poles(const std::vector<Point>& points, std::size_t sample_count, const std::vector<Cell>& cells) {
+Poles poles(const std::vector<Point>& points, std::size_t sample_count, const std::vector<Cell>& cells,
+            const std::vector<Point>& directions) {
     Poles result;
-    result.vertex_of_cell = voronoi_vertices(points, cells);
+    const Facets facets = facets_of(cells);
+    result.vertex_of_cell = voronoi_vertices(points, cells, facets);
+    result.to_infinity = directions_to_infinity(points, sample_count, cells, facets);
     std::vector<std::vector<std::uint32_t>> around(points.size());
     std::vector<Exact::Point_3> exact;
     for (std::uint32_t c = 0; c < cells.size(); ++c) {
@@ -102,19 +146,24 @@ Poles poles(const std::vector<Point>& points, std::size_t sample_count, const st
     };
     for (std::uint32_t s = 0; s < sample_count; ++s) {
         std::uint32_t first = none, second = none;
-        for (std::uint32_t c : around[s])
-            if (first == none || farther(c, first)) first = c;
         const Exact::Point_3 sample = at<Exact>(points[s]);
-        bool beaten = false;
-        for (std::uint32_t c : around[s]) {
-            if ((second == none || farther(c, second)) && CGAL::angle(exact[c], sample, exact[first]) == CGAL::OBTUSE)
-                second = c;
-            beaten = beaten || (c != first && result.radius_squared[c] == result.radius_squared[first] &&
-                                CGAL::compare_distance_to_point(sample, exact[c], exact[first]) == CGAL::LARGER);
+        Exact::Vector_3 towards;
+        if (result.to_infinity[s] != Point{0, 0, 0}) {
+            const auto& [x, y, z] = directions.at(s);
+            towards = Exact::Vector_3(x, y, z);
+        } else {
+            for (std::uint32_t c : around[s])
+                if (first == none || farther(c, first)) first = c;
+            towards = exact[first] - sample;
+            result.near_ties += std::any_of(around[s].begin(), around[s].end(), [&](std::uint32_t c) {
+                return c != first && result.radius_squared[c] == result.radius_squared[first] &&
+                       CGAL::compare_distance_to_point(sample, exact[c], exact[first]) == CGAL::LARGER;
+            });
         }
-        result.near_ties += beaten;
-        result.pole_of_sample.push_back(
-            {result.vertex_of_cell[first], second == none ? none : result.vertex_of_cell[second]});
+        for (std::uint32_t c : around[s])
+            if ((second == none || farther(c, second)) && (exact[c] - sample) * towards < 0) second = c;
+        const auto vertex = [&](std::uint32_t c) { return c == none ? none : result.vertex_of_cell[c]; };
+        result.pole_of_sample.push_back({vertex(first), vertex(second)});
     }
     return result;
 }

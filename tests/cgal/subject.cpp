@@ -23,6 +23,20 @@ Triangulation copy(const medax::Points& points, const medax::Triangulation& buil
             values(points.duplicate_of())};
 }
 
+Poles copy(const medax::Poles& poles) {
+    const auto triangulation = poles.triangulation();
+    Poles result;
+    result.vertices = rows<3>(triangulation.coords());
+    result.cells = rows<4>(triangulation.cells());
+    result.balls = rows<4>(poles.balls());
+    result.radii_squared = values(poles.radii_squared());
+    result.cell_of_pole = values(poles.cell_of_pole());
+    for (std::uint8_t touches : poles.touches_far_box()) result.touches_far_box.push_back(touches != 0);
+    result.pole_of_sample = rows<2>(poles.pole_of_sample());
+    result.normals = rows<3>(poles.normals());
+    return result;
+}
+
 void finish(Crust& crust, const medax::PowerCrust& built) {
     const auto regular = built.regular();
     const auto surface = built.surface();
@@ -56,17 +70,15 @@ Triangulation regular(const std::vector<Point>& rows, const std::vector<double>&
     return copy(points, medax::Triangulation::regular(points, weights));
 }
 
+Poles poles(const std::vector<Point>& samples) {
+    const auto points = medax::Points::from(samples);
+    return copy(medax::Poles::of(medax::Dual::of(medax::Triangulation::delaunay(points))));
+}
+
 Crust power_crust(const std::vector<Point>& samples) {
     const auto poles = medax::Poles::with_far_box(medax::Points::from(samples));
-    const auto triangulation = poles.triangulation();
     Crust crust;
-    crust.vertices = rows<3>(triangulation.coords());
-    crust.cells = rows<4>(triangulation.cells());
-    crust.balls = rows<4>(poles.balls());
-    crust.radii_squared = values(poles.radii_squared());
-    crust.cell_of_pole = values(poles.cell_of_pole());
-    for (std::uint8_t touches : poles.touches_far_box()) crust.touches_far_box.push_back(touches != 0);
-    crust.pole_of_sample = rows<2>(poles.pole_of_sample());
+    crust.poles = copy(poles);
     try {
         finish(crust, medax::PowerCrust::of(poles));
     } catch (const medax::Error& error) {

@@ -28,17 +28,25 @@ std::vector<Point> read(const std::string& path);
 Triangulation delaunay(const std::vector<Point>& rows);
 Triangulation regular(const std::vector<Point>& rows, const std::vector<double>& weights);
 
-// A power crust with what it was made from. Poles are numbered by medax.
-struct Crust {
-    bool solid = true;  // false: medax says that the poles lie in a plane, and there is nothing from here on
-                        // but the poles
-    std::vector<Point> vertices;  // the samples, then the far box
+// Poles with what they were made from.
+struct Poles {
+    std::vector<Point> vertices;  // the samples, then the far box if there is one
     std::vector<std::array<std::uint32_t, 4>> cells;
     std::vector<std::array<double, 4>> balls;
     std::vector<double> radii_squared;
     std::vector<std::uint32_t> cell_of_pole;
     std::vector<bool> touches_far_box;
     std::vector<std::array<std::uint32_t, 2>> pole_of_sample;
+    std::vector<Point> normals;
+};
+
+// The poles of a sample alone.
+Poles poles(const std::vector<Point>& samples);
+
+// A power crust. Poles are numbered by medax.
+struct Crust {
+    Poles poles;
+    bool solid = true;  // false: medax says that the poles lie in a plane, and the rest is empty
     std::vector<std::array<std::uint32_t, 4>> regular_cells;  // of vertices
     std::vector<std::uint32_t> pole_of_vertex;
     std::vector<bool> inner;  // one a pole
