@@ -4,4 +4,6 @@ mod consistency;
 mod definition;
 mod rational;
 mod sets;
+#[cfg(feature = "count-stages")]
+mod stages;
 mod ties;
