@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+#pragma once
+
+/// \file
+/// Complexes: what surfaces, axes and crusts come as.
+
+#include <medax/points.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace medax {
+
+using ComplexParts = detail::Options<medax_complex_parts, medax_complex_parts_init>;
+
+/// Values with a name on one kind of element; one of the two views has no row.
+struct Attribute {
+    const char *name;
+    medax_element element;
+    medax_value_type value_type;
+    View<double> f64_values;
+    View<std::uint32_t> u32_values;
+
+    explicit Attribute(const medax_attribute &found) noexcept
+        : name(found.name),
+          element(static_cast<medax_element>(found.element)),
+          value_type(static_cast<medax_value_type>(found.value_type)),
+          f64_values(detail::view(found.f64_values)),
+          u32_values(detail::view(found.u32_values)) {}
+};
+
+using Topology = medax_topology;
+using Comparison = medax_comparison;
+using CompareOptions = detail::Options<medax_compare_options, medax_compare_options_init>;
+
+/// Vertices, polygons, loose edges, volume cells and named attributes.
+class Complex : public detail::Handle<medax_complex, medax_complex_clone, medax_complex_free> {
+public:
+    /// Takes over a reference that a function of medax.h gave.
+    explicit Complex(const medax_complex *owned) noexcept : Handle(owned) {}
+
+    static Complex from(const ComplexParts &parts) {
+        const medax_complex *complex = nullptr;
+        detail::check(medax_complex_create(&parts, &complex));
+        return Complex(complex);
+    }
+    static Complex read(const std::string &path_utf8, const Job &job = Job::fresh()) {
+        const medax_complex *complex = nullptr;
+        job.check(medax_complex_read(path_utf8.c_str(), job.get(), &complex));
+        return Complex(complex);
+    }
+    Warnings write(const std::string &path_utf8, const WriteOptions &options = {},
+                   const Job &job = Job::fresh()) const {
+        const medax_warnings *warnings = nullptr;
+        job.check(medax_complex_write(get(), path_utf8.c_str(), &options, job.get(), &warnings));
+        return Warnings(warnings);
+    }
+
+    std::uint32_t dimension() const noexcept { return medax_complex_dimension(get()); }
+    View<double> vertices() const noexcept { return detail::view(medax_complex_vertices(get())); }
+    Rows faces() const noexcept { return Rows(medax_complex_faces(get())); }
+    View<std::uint32_t> edges() const noexcept { return detail::view(medax_complex_edges(get())); }
+    Rows cells() const noexcept { return Rows(medax_complex_cells(get())); }
+    View<std::uint32_t> cell_types() const noexcept {
+        return detail::view(medax_complex_cell_types(get()));
+    }
+    View<std::uint32_t> triangles() const noexcept {
+        return detail::view(medax_complex_triangles(get()));
+    }
+    View<std::uint32_t> face_of_triangle() const noexcept {
+        return detail::view(medax_complex_face_of_triangle(get()));
+    }
+
+    Topology topology(const Job &job = Job::fresh()) const {
+        Topology report;
+        report.struct_size = sizeof report;
+        job.check(medax_complex_topology(get(), job.get(), &report));
+        return report;
+    }
+    struct Measure {
+        double area, volume;
+    };
+    Measure measure(const Job &job = Job::fresh()) const {
+        Measure measure;
+        job.check(medax_complex_measure(get(), job.get(), &measure.area, &measure.volume));
+        return measure;
+    }
+    Complex oriented(const Job &job = Job::fresh()) const {
+        const medax_complex *oriented = nullptr;
+        job.check(medax_complex_orient(get(), job.get(), &oriented));
+        return Complex(oriented);
+    }
+    Comparison compare(const Complex &other, const CompareOptions &options = {},
+                       const Job &job = Job::fresh()) const {
+        Comparison report;
+        report.struct_size = sizeof report;
+        job.check(medax_complex_compare(get(), other.get(), &options, job.get(), &report));
+        return report;
+    }
+    Validation validate(const Job &job = Job::fresh()) const {
+        return detail::validated(medax_complex_validate, get(), job);
+    }
+
+    std::size_t attribute_count() const noexcept { return medax_complex_attribute_count(get()); }
+    Attribute attribute(std::size_t index) const {
+        medax_attribute found;
+        detail::check(medax_complex_attribute_at(get(), index, &found));
+        return Attribute(found);
+    }
+    /// The attribute of this name, which must be there.
+    Attribute attribute(medax_element element, const std::string &name) const {
+        medax_attribute found;
+        detail::check(medax_complex_attribute(get(), element, name.c_str(), &found));
+        return Attribute(found);
+    }
+};
+
+}  // namespace medax
