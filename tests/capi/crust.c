@@ -1,4 +1,4 @@
-/* Power crusts: options, parts, cancel at every stage, order of freeing. */
+/* Power crusts: options, parts, cancel at every stage. */
 #include "check.h"
 
 static const char nothing = 0;
@@ -68,52 +68,6 @@ static void null_is_nothing(void) {
     CHECK(medax_power_crust_clone(NULL) == NULL);
     CHECK(complex == NULL && poles == NULL && regular == NULL);
     medax_power_crust_free(NULL);
-}
-
-/* Frees the handle that `order` names for each step. */
-static void freed_in_order(const int *order) {
-    const medax_points *points = cube();
-    const medax_power_crust *crust = NULL;
-    const medax_complex *surface = NULL, *shape = NULL;
-    const medax_poles *poles = NULL;
-    const medax_triangulation *regular = NULL;
-    CHECK_STATUS(OK, medax_power_crust_build(points, NULL, NULL, &crust));
-    NEED(crust != NULL);
-    CHECK_STATUS(OK, medax_power_crust_surface(crust, &surface));
-    CHECK_STATUS(OK, medax_power_crust_shape(crust, MEDAX_LABEL_INNER, &shape));
-    CHECK_STATUS(OK, medax_power_crust_poles(crust, &poles));
-    CHECK_STATUS(OK, medax_power_crust_regular(crust, &regular));
-    for (size_t i = 0; i < 5; ++i) {
-        switch (order[i]) {
-        case 0:
-            CHECK(medax_points_count(points) == 600);
-            medax_points_free(points);
-            break;
-        case 1:
-            CHECK(medax_power_crust_labels(crust).data[0] <= 1);
-            medax_power_crust_free(crust);
-            break;
-        case 2:
-            CHECK(medax_complex_vertices(surface).rows > 0);
-            medax_complex_free(surface);
-            break;
-        case 3:
-            CHECK(medax_poles_balls(poles).data[3] > 0);
-            medax_poles_free(poles);
-            break;
-        default:
-            CHECK(medax_triangulation_cells(regular).rows > 0);
-            medax_triangulation_free(regular);
-        }
-    }
-    CHECK(medax_complex_cells(shape).offsets[0] == 0);
-    medax_complex_free(shape);
-}
-
-static void freed_in_some_orders(void) {
-    static const int orders[6][5] = {{0, 1, 2, 3, 4}, {4, 3, 2, 1, 0}, {1, 0, 4, 2, 3},
-                                     {2, 4, 0, 3, 1}, {3, 1, 4, 0, 2}, {1, 4, 3, 0, 2}};
-    for (size_t i = 0; i < 6; ++i) freed_in_order(orders[i]);
 }
 
 /* Every directed side of a face has its reverse, once each. */
@@ -262,7 +216,6 @@ int main(void) {
     refusals();
     null_is_nothing();
     parts();
-    freed_in_some_orders();
     cancelled_at("triangulate");
     cancelled_at("poles");
     cancelled_at("regular");
