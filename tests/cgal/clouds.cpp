@@ -274,7 +274,16 @@ std::vector<Cloud> weighted_clouds() {
         clouds.push_back({"random, random weights" + at, near, weights_of(near, 41, 0, 0.002 * square)});
         clouds.push_back({"lattice, tied weights" + at, even, tied_weights_of(even, 42, 3, 0.5 * square)});
     }
-    const Rows far = map(random, 1, {1e6, -2e6, 3e6});
+    const Rows clusters = clustered(20, 200, 1e-4, 44), ring = torus(3000, 45), ball = sphere(3000, 46);
+    clouds.push_back({"clustered, random weights", clusters, weights_of(clusters, 47, 0, 1e-9)});
+    clouds.push_back({"clustered, tied weights", clusters, tied_weights_of(clusters, 48, 3, 1e-10)});
+    clouds.push_back({"torus, random weights", ring, weights_of(ring, 49, 0, 0.002)});
+    clouds.push_back({"torus, tied weights", ring, tied_weights_of(ring, 50, 3, 0.001)});
+    clouds.push_back({"sphere, random weights", ball, weights_of(ball, 51, -0.01, 0.01)});
+    const Rows far = map(random, 1, {1e6, -2e6, 3e6}), very_far = map(random, 1, {1e14, 2e14, -3e14});
+    clouds.push_back({"random very far away, random weights", very_far, weights_of(very_far, 52, 0, 0.002)});
+    const Rows far_sphere = map(sphere_points, 1, {1e8, 1e8, 1e8});
+    clouds.push_back({"cospherical far away, tied weights", far_sphere, tied_weights_of(far_sphere, 53, 3, 1)});
     clouds.push_back({"random far away, random weights", far, weights_of(far, 43, 0, 0.002)});
     for (std::uint64_t seed = 500; seed < 800; ++seed) {
         Rows rows = tiny(seed);

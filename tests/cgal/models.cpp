@@ -9,6 +9,12 @@
 
 namespace fs = std::filesystem;
 
+std::vector<Model> shapes() {
+    std::vector<Model> result;
+    for (auto& [name, points] : subject::shapes()) result.push_back({name, std::move(points)});
+    return result;
+}
+
 std::vector<Model> models(std::size_t limit) {
     const fs::path directory = MEDAX_DATA_DIR;
     std::vector<Model> result;

@@ -23,6 +23,7 @@ void compare(const std::string& name, const std::vector<reference::Point>& rows,
 int main() {
     Report report;
     for (const Cloud& cloud : plain_clouds()) compare(cloud.name, cloud.rows, report);
+    for (const Model& shape : shapes()) compare(shape.name, shape.points, report);
     for (const Model& model : models(50000)) compare(model.name, model.points, report);
     return report.finish("poles of exact Voronoi vertices");
 }

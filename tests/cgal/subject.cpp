@@ -60,6 +60,15 @@ std::vector<Point> read(const std::string& path) {
     return rows<3>(medax::Points::read(path, options).coords());
 }
 
+std::vector<std::pair<std::string, std::vector<Point>>> shapes() {
+    std::vector<std::pair<std::string, std::vector<Point>>> result;
+    for (int shape = 0; shape <= MEDAX_SHAPE_SPHERE; ++shape) {
+        const auto samples = medax::Samples::of(static_cast<medax_shape>(shape));
+        result.emplace_back(medax::name(static_cast<medax_shape>(shape)), rows<3>(samples.coords()));
+    }
+    return result;
+}
+
 Triangulation delaunay(const std::vector<Point>& rows) {
     const auto points = medax::Points::from(rows);
     return copy(points, medax::Triangulation::delaunay(points));

@@ -6,6 +6,7 @@
 #include <medax.hpp>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace subject {
@@ -24,6 +25,9 @@ struct Triangulation {
 
 // The distinct points of a file, without rows that are not finite.
 std::vector<Point> read(const std::string& path);
+
+// Samples of each built-in shape, with its name.
+std::vector<std::pair<std::string, std::vector<Point>>> shapes();
 
 Triangulation delaunay(const std::vector<Point>& rows);
 Triangulation regular(const std::vector<Point>& rows, const std::vector<double>& weights);
