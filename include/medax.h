@@ -538,7 +538,7 @@ typedef struct {
      */
     uint64_t memory_ceiling;
     /**
-     * The number of threads; 0, the default: one per processor.
+     * The most threads that builds may use; 0, the default: one per processor. This version builds with one.
      */
     uint32_t threads;
     /**

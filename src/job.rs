@@ -109,7 +109,7 @@ pub struct StageTime {
 /// The settings of a [`Job`].
 #[derive(Default)]
 pub struct JobOptions {
-    /// Number of threads; 0 means one per processor.
+    /// The most threads that builds may use; 0 means one per processor. This version builds with one.
     pub threads: usize,
     /// The most bytes that a build's own arrays may take at once; 0 means no ceiling.
     pub memory_ceiling: u64,

@@ -75,7 +75,7 @@ impl Place {
         let object: Value = serde_json::from_slice(&output.stdout).unwrap();
         assert_eq!(object["schema"], 1);
         let error = object["error"].clone();
-        for key in ["status", "message", "kind", "index"] {
+        for key in ["status", "message", "kind", "index", "path"] {
             assert!(error.get(key).is_some(), "{arguments}: no {key} in {error}");
         }
         // The line for people says what the object says.
@@ -291,6 +291,10 @@ fn bad_files_are_told_with_the_place() {
     place.write("empty.xyz", "");
     assert_eq!(place.failure("poles empty.xyz", 1)["status"], "FORMAT");
     assert_eq!(place.failure("info absent.ply", 1)["status"], "IO");
+    let error = place.failure("crust in.ply -o nowhere/out.ply", 1);
+    assert_eq!((&error["status"], &error["path"]), (&"IO".into(), &"nowhere/out.ply".into()));
+    let plain = place.run("info absent.ply");
+    assert_eq!(text(&plain.stderr).matches("absent.ply").count(), 1, "{}", text(&plain.stderr));
     place.write("three.xyz", "0 0 0\n1 0 0\n0 1 0\n");
     assert_eq!(place.failure("triangulate three.xyz", 1)["status"], "TOO_FEW_POINTS");
     place.write("flat.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n5 5 0\n");
@@ -321,6 +325,7 @@ fn bad_command_lines_are_refused_with_2() {
         "sample torus --density -3",
         "sample torus --noise -1",
         "sample torus --noise=-1",
+        "crust in.ply --deep-degrees -100",
         "sample teapot",
         "info in.ply --threads many",
         "compare in.ply",
@@ -447,12 +452,60 @@ fn a_reader_that_goes_away_is_no_panic() {
     place.shape(Shape::Sphere, "in.ply");
     for arguments in ["info in.ply", "info in.ply --json", "--help"] {
         let mut command = place.command(arguments);
-        let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-        drop(child.stdout.take());
-        let output = child.wait_with_output().unwrap();
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let output = command.stdout(writer).output().unwrap();
         assert_eq!(output.status.code(), Some(1), "{arguments}");
         assert_eq!(text(&output.stderr), "", "{arguments}");
     }
+}
+
+/// Signals reach the job, which stops wherever it is and leaves nothing behind.
+#[cfg(unix)]
+#[test]
+fn a_signal_cancels_and_leaves_nothing_half_written() {
+    let place = Place::new();
+    place.write("out.vtu", "precious");
+    let names = place.names();
+    place.json("sample torus --spacing 0.01 -o torus.ply");
+    let interrupt = |arguments: &str, signal: &str, is_time: &dyn Fn() -> bool| {
+        let mut command = place.command(arguments);
+        let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        while !is_time() {
+            std::thread::yield_now();
+        }
+        let pid = child.id().to_string();
+        assert!(Command::new("kill").args([signal, &pid]).status().unwrap().success());
+        child.wait_with_output().unwrap()
+    };
+    // The file beside the last one is there while it is written.
+    let writes = || place.names().iter().any(|name| name.ends_with(".part"));
+    for (signal, json) in [("-INT", ""), ("-TERM", "--json")] {
+        let output =
+            interrupt(&format!("triangulate torus.ply -o out.vtu {json}"), signal, &writes);
+        assert_eq!(output.status.code(), Some(1));
+        if json.is_empty() {
+            assert_eq!(text(&output.stderr), "medax: out.vtu: the job was cancelled\n");
+        } else {
+            let object: Value = serde_json::from_slice(&output.stdout).unwrap();
+            assert_eq!(object["error"]["status"], "CANCELLED");
+        }
+        assert_eq!(place.read("out.vtu"), b"precious");
+        assert_eq!(place.names(), [&names[..], &["torus.ply".to_string()]].concat());
+    }
+    // A pipe that nobody writes to is waited for; the second signal does not.
+    let pipe = place.path("pipe.xyz");
+    assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    let mut child = place.command("info pipe.xyz").stderr(Stdio::piped()).spawn().unwrap();
+    let pid = child.id().to_string();
+    let mut signals = 0;
+    while child.try_wait().unwrap().is_none() {
+        std::thread::sleep(std::time::Duration::from_millis(200));
+        let _ = Command::new("kill").args(["-INT", &pid]).stderr(Stdio::null()).status();
+        signals += 1;
+    }
+    assert!((2..20).contains(&signals), "{signals}");
+    assert_eq!(child.wait().unwrap().code(), Some(130));
 }
 
 #[test]

@@ -18,7 +18,7 @@ pub(super) struct Bytes<'a> {
 }
 
 pub(super) fn load<'a>(path: &Path, run: &'a Run<'a>) -> Result<Bytes<'a>> {
-    let failed = |error: io::Error| failed("read", path, &error);
+    let failed = |error: io::Error| failed("read", &error);
     let mut file = File::open(path).map_err(failed)?;
     // A pipe has no length; the length of a file may change while it is read.
     let length = file.metadata().map_err(failed)?.len() as usize;
@@ -49,7 +49,7 @@ pub(super) fn replace<T>(
     path: &Path,
     write: impl FnOnce(&mut dyn Write) -> Result<T>,
 ) -> Result<T> {
-    let failed = |error: io::Error| failed("write", path, &error);
+    let failed = |error: io::Error| failed("written", &error);
     let target = target(path).map_err(failed)?;
     let folder = match target.parent() {
         Some(folder) if folder != Path::new("") => folder,
@@ -66,10 +66,9 @@ pub(super) fn replace<T>(
     let file = builder.tempfile_in(folder).map_err(failed)?;
     let mut out = BufWriter::with_capacity(1 << 16, file);
     let written = write(&mut out).map_err(|error| match error.status() {
-        Status::Io => Error::new(
-            Status::Io,
-            format!("cannot write '{}': {}", path.display(), error.message()),
-        ),
+        Status::Io => {
+            Error::new(Status::Io, format!("the file cannot be written: {}", error.message()))
+        }
         _ => error,
     })?;
     let file = out.into_inner().map_err(|error| failed(error.into_error()))?;
@@ -87,8 +86,12 @@ fn target(path: &Path) -> io::Result<PathBuf> {
     }
 }
 
-fn failed(action: &str, path: &Path, error: &io::Error) -> Error {
-    Error::new(Status::Io, format!("cannot {action} '{}': {error}", path.display()))
+/// Says what the system said. The path is the caller's to name, and that of the file beside it would
+/// mean nothing to anyone.
+fn failed(done: &str, error: &io::Error) -> Error {
+    let inner = error.get_ref().and_then(|wrapper| wrapper.source());
+    let cause = inner.map_or_else(|| error.to_string(), |cause| cause.to_string());
+    Error::new(Status::Io, format!("the file cannot be {done}: {cause}"))
 }
 
 #[cfg(test)]

@@ -31,7 +31,7 @@ pub struct Options {
     poles: Option<PathBuf>,
     /// Balls of neighbouring poles intersect deeply, and are of one side, where the angle between
     /// their spheres exceeds this; from 90 to 180, by default 113.58, which is arccos(-0.4)
-    #[arg(long, value_name = "DEGREES")]
+    #[arg(long, allow_negative_numbers = true, value_name = "DEGREES")]
     deep_degrees: Option<f64>,
     #[command(flatten)]
     validate: ValidateOptions,

@@ -317,7 +317,13 @@ pub fn refuse(error: &clap::Error) -> ExitCode {
     if std::env::args_os().any(|argument| argument == "--json") {
         let message = text.lines().next().unwrap_or_default().trim_start_matches("error: ");
         let status = Status::InvalidArgument.name();
-        put_error(json!({ "status": status, "message": message, "kind": null, "index": null }));
+        put_error(json!({
+            "status": status,
+            "message": message,
+            "kind": null,
+            "index": null,
+            "path": null,
+        }));
     } else {
         complain(text.trim_end());
     }

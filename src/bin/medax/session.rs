@@ -12,7 +12,7 @@ use std::sync::Arc;
 /// The options that every command takes.
 #[derive(clap::Args)]
 pub struct Options {
-    /// Threads to use; 0 means one per processor
+    /// Threads to use at most; 0 means one per processor. This version builds with one
     #[arg(long, global = true, value_name = "N", default_value_t = 0)]
     threads: usize,
     /// The most memory that a build's own arrays may take, in MiB; 0 means no ceiling
@@ -72,6 +72,11 @@ impl OutputOptions {
             if !format.is_written() {
                 let name = format.name();
                 return Err(Failure::usage(format!("'{shown}': medax does not write {name}")));
+            }
+            let folder = path.parent().filter(|folder| *folder != Path::new(""));
+            if let Some(folder) = folder.filter(|folder| !folder.is_dir()) {
+                let message = format!("there is no folder '{}' to write to", folder.display());
+                return Err(Failure::about(path)(Error::new(Status::Io, message)));
             }
             if seen.contains(&path.as_path()) {
                 return Err(Failure::usage(format!("'{shown}' is named as two outputs")));
@@ -140,9 +145,22 @@ impl From<Error> for Failure {
     }
 }
 
+/// Ctrl-C and the signals to terminate cancel the job, so that no file is left half written. A second one
+/// ends the program at once: it may be waiting for a pipe.
+fn cancel_on_signals(job: &Arc<Job>) {
+    let job = job.clone();
+    // Where no handler can be set, the system's own stays.
+    let _ = ctrlc::set_handler(move || {
+        if job.is_cancelled() {
+            std::process::exit(130);
+        }
+        job.cancel();
+    });
+}
+
 /// One run of the program.
 pub struct Session {
-    pub job: Job,
+    pub job: Arc<Job>,
     bar: Bar,
     warnings: Vec<String>,
     parameters: Map<String, Value>,
@@ -151,11 +169,12 @@ pub struct Session {
 impl Session {
     pub fn new(options: &Options) -> Self {
         let bar = Bar::new(options.quiet);
-        let job = Job::new(JobOptions {
+        let job = Arc::new(Job::new(JobOptions {
             threads: options.threads,
             memory_ceiling: options.memory_mib.saturating_mul(1 << 20),
             progress: Some(bar.callback()),
-        });
+        }));
+        cancel_on_signals(&job);
         let mut parameters = Map::new();
         parameters.insert("threads".into(), json!(job.threads()));
         parameters.insert("memory_mib".into(), json!(options.memory_mib));
