@@ -4,23 +4,23 @@ use super::center::power_of_two;
 use super::exact;
 use crate::predicates::double_double::Pairs;
 
-/// The error of a normal's coordinate, relative to the largest, past which integers decide.
+/// The error of a normal's coordinate, relative to itself, past which integers decide.
 const NORMAL_ERROR: f64 = power_of_two(-60);
 
-/// The right-handed unit normal of a triangle that is not degenerate, each coordinate within a few
-/// 2^-53 of the exact one, however thin the triangle.
+/// The right-handed unit normal of a triangle that is not degenerate, each coordinate right to a few
+/// 2^-53 of itself, however thin the triangle: so its products with the triangle's edges cancel as far
+/// as rounding lets them.
 pub(super) fn normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
     let (u, v) = (Pairs::difference(b, a), Pairs::difference(c, a));
     let (forward, backward) = ([1, 2, 0], [2, 0, 1]);
     let cross = u.pick(forward).mul(&v.pick(backward)).sub(&u.pick(backward).mul(&v.pick(forward)));
-    let largest = (0..3).map(|k| cross.hi[k].abs()).fold(0.0, f64::max);
     // The error is 15u² of the size, the same formula on absolute values.
-    let sizes = (0..3).map(|k| {
+    let accurate = (0..3).all(|k| {
         let [i, j] = [forward[k], backward[k]];
-        (u.hi[i] * v.hi[j]).abs() + (u.hi[j] * v.hi[i]).abs()
+        let size = (u.hi[i] * v.hi[j]).abs() + (u.hi[j] * v.hi[i]).abs();
+        size * 16.0 * power_of_two(-106) <= NORMAL_ERROR * cross.hi[k].abs()
     });
-    let error = sizes.fold(0.0, f64::max) * 16.0 * power_of_two(-106);
-    match error <= NORMAL_ERROR * largest {
+    match accurate {
         true => unit(cross.normalized().hi),
         false => unit(exact::cross([a, b, c])),
     }

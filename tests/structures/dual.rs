@@ -195,6 +195,19 @@ fn rays_of_thin_facets_are_accurate() {
     assert!(dual.facets().unwrap().rays().iter().all(|rays| !rays.contains(&NONE)));
 }
 
+/// The first coordinate of a normal is a millionth of a millionth of the others, and an edge is so nearly
+/// parallel to them that it matters.
+#[test]
+fn rays_are_accurate_in_their_least_coordinate() {
+    let rows = [
+        [1e8, -0.301877322163043, 0.0],
+        [1e8, -0.0018773221630429937, 0.10000000000000002],
+        [99999999.99999999, -0.0018773221630429934, 0.10000000000000002],
+        [1e8, -0.3018773221630431, 0.2],
+    ];
+    assert_valid(&delaunay(&rows), "thin facets far away");
+}
+
 #[test]
 fn without_the_option_there_are_no_facets() {
     let t = Triangulation::delaunay(&points(&sets::all(30)[0].rows), &Job::default()).unwrap();

@@ -2,6 +2,7 @@
 
 mod crust;
 mod dual;
+mod generated;
 mod job;
 mod points;
 mod poles;

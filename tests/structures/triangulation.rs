@@ -4,7 +4,6 @@
 use crate::sets::{self, Set};
 use medax::predicates::{Sign, delaunay_conflict, orient3d, regular_conflict};
 use medax::{Job, NONE, Points, Status, Triangulation};
-use proptest::prelude::*;
 use std::sync::Arc;
 
 fn points(rows: &[[f64; 3]]) -> Arc<Points> {
@@ -26,7 +25,7 @@ fn assert_valid(t: &Triangulation, name: &str) {
 }
 
 /// Every positively oriented quadruple with which no other vertex is in conflict.
-fn brute_force(t: &Triangulation, weighted: bool) -> Vec<[u32; 4]> {
+pub fn brute_force(t: &Triangulation, weighted: bool) -> Vec<[u32; 4]> {
     let n = t.coords().len() as u32;
     let conflict = if weighted { regular_conflict } else { delaunay_conflict };
     let at = |v: u32| &t.coords()[v as usize];
@@ -259,29 +258,4 @@ fn the_memory_ceiling_is_kept() {
     assert!(peak > 2000 * 200);
     assert_eq!(with(peak).0, Ok(()));
     assert_eq!(with(peak - 1).0.unwrap_err().status(), Status::OutOfMemory);
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(256))]
-
-    /// Points on a coarse lattice: nearly every predicate is a tie.
-    #[test]
-    fn lattice_subsets_equal_brute_force(
-        rows in prop::collection::vec(prop::array::uniform3(0i8..4), 5..20),
-        weights in prop::collection::vec(0i8..3, 20),
-    ) {
-        let rows: Vec<_> = rows.iter().map(|row| row.map(f64::from)).collect();
-        let weights: Vec<_> = weights[..rows.len()].iter().map(|&w| f64::from(w) / 2.0).collect();
-        match Triangulation::regular(&points(&rows), &weights, &Job::default()) {
-            Ok(t) => {
-                prop_assert_eq!(t.cells(), brute_force(&t, true));
-                assert_valid(&t, "lattice subset");
-                let t = delaunay(&rows);
-                prop_assert_eq!(t.cells(), brute_force(&t, false));
-            }
-            Err(error) => prop_assert!(
-                matches!(error.status(), Status::Degenerate | Status::TooFewPoints)
-            ),
-        }
-    }
 }
