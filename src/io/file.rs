@@ -63,7 +63,8 @@ pub(super) fn replace<T>(
         use std::os::unix::fs::PermissionsExt;
         builder.permissions(std::fs::Permissions::from_mode(0o666));
     }
-    let file = builder.tempfile_in(folder).map_err(failed)?;
+    // The error's own words name the file beside, which would mean nothing to anyone.
+    let file = builder.tempfile_in(folder).map_err(|error| failed(error.kind().into()))?;
     let mut out = BufWriter::with_capacity(1 << 16, file);
     let written = write(&mut out).map_err(|error| match error.status() {
         Status::Io => {
@@ -86,12 +87,9 @@ fn target(path: &Path) -> io::Result<PathBuf> {
     }
 }
 
-/// Says what the system said. The path is the caller's to name, and that of the file beside it would
-/// mean nothing to anyone.
+/// Says what the system said. The path is the caller's to name.
 fn failed(done: &str, error: &io::Error) -> Error {
-    let inner = error.get_ref().and_then(|wrapper| wrapper.source());
-    let cause = inner.map_or_else(|| error.to_string(), |cause| cause.to_string());
-    Error::new(Status::Io, format!("the file cannot be {done}: {cause}"))
+    Error::new(Status::Io, format!("the file cannot be {done}: {error}"))
 }
 
 #[cfg(test)]

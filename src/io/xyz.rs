@@ -90,18 +90,19 @@ fn promised_rows(line: Line<'_>) -> Option<u64> {
 /// Whether the line names its columns x, y, z, in either case, quoted or not.
 fn names_columns(line: Line<'_>) -> bool {
     let bytes = line.bytes;
-    let mut words = bytes.split(|b| b" \t,\"".contains(b)).filter(|word| !word.is_empty());
+    let mut words = bytes.split(|b| b" \t,;\"".contains(b)).filter(|word| !word.is_empty());
     [b"x", b"y", b"z"]
         .iter()
         .all(|name| words.next().is_some_and(|w| w.eq_ignore_ascii_case(*name)))
 }
 
-/// The first three columns. A comma anywhere in the line parts columns; white space does not then.
+/// The first three columns. A semicolon anywhere in the line parts columns, or else a comma; white space
+/// does not then.
 fn row(line: Line<'_>) -> Result<[f64; 3]> {
-    if !line.bytes.contains(&b',') {
+    let Some(separator) = [b';', b','].into_iter().find(|s| line.bytes.contains(s)) else {
         return line.words().xyz();
-    }
-    let mut columns = line.bytes.split(|&b| b == b',').map(|column| column.trim_ascii());
+    };
+    let mut columns = line.bytes.split(|&b| b == separator).map(|column| column.trim_ascii());
     let mut xyz = [0.0; 3];
     for (x, name) in xyz.iter_mut().zip(["x", "y", "z"]) {
         *x = match columns.next() {

@@ -276,7 +276,7 @@ fn faults_in_stl() {
 
 #[test]
 fn faults_in_tables() {
-    let faults: [Fault<'_>; 12] = [
+    let faults: [Fault<'_>; 14] = [
         ("# nothing\n", 1, "holds no row"),
         ("0 0 0\n1 2\n", 2, "the line ends before z"),
         ("0 0 0\n1 two 3\n", 2, "y must be a number, not 'two'"),
@@ -284,6 +284,8 @@ fn faults_in_tables() {
         ("0,0,0\n1,,3\n", 2, "the column of y is empty"),
         ("0,0,0\n1,2\n", 2, "the line ends before z"),
         ("0,0,0\n1 2,3,4\n", 2, "x must be a number, not '1 2'"),
+        ("0;0;0\n0,5;1;1\n", 2, "x must be a number, not '0,5'"),
+        ("0;0;0\n1;2;\n", 2, "the column of z is empty"),
         ("3\n0 0 0\n1 1 1\n2 2  ", 4, "the line ends before z"),
         ("3\n0 0 0\n1 1 1\n      ", 4, "the file ends here, before row 3"),
         ("2\n0 0 0\n1 1 1\n2 2 2\n", 4, "a row follows the 2 promised"),

@@ -181,6 +181,7 @@ pub fn all() -> Vec<Sample> {
         sample("XYZ", Format::Xyz, b"0 0 0\n1 2 3\n\n# 4\n4\t5\t6 7\n", [3, 0, 0], false),
         sample("PTS", Format::Xyz, b"3\n0 0 0 12 0 0 0\n1 2 3 4 0 0 0\n4 5 6 7 0 0 0\n", [3, 0, 0], true),
         sample("CSV", Format::Csv, b"X, \"y\",Z,name\n0,0,0,a b\n 1 , 2,3,\n", [2, 0, 0], false),
+        sample("CSV with semicolons", Format::Csv, b"x;y;z\n0;0;0\n 1 ; 2;3;a,b\n", [2, 0, 0], false),
         sample("PWN", Format::Pwn, b"2\n0 0 0\n1 2 3\n0 0 1\n0 1 0\n", [2, 0, 0], true),
         sample("MA", Format::Ma, MA, [4, 1, 2], true),
     ]
