@@ -1,0 +1,105 @@
+//! How soon long operations answer a cancel: `cargo bench --bench cancel`, or with `-- 1000000` for another
+//! size.
+//!
+//! Each operation is cancelled at forty moments of its run; the table gives the longest time from the
+//! cancel to the return, and what the operation was doing then. The conventions promise 50 ms.
+
+use medax::complex::compare;
+use medax::crust::PowerCrustOptions;
+use medax::dual::{Dual, DualOptions};
+use medax::points::PointsOptions;
+use medax::sample::{SampleOptions, Shape, sample};
+use medax::{Job, Points, Poles, PowerCrust, Result, Triangulation, io};
+use std::sync::Arc;
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// At how many moments an operation is cancelled.
+const MOMENTS: u32 = 4;
+
+/// Cancels the operation all along its run, and prints the slowest answer.
+fn measure(name: &str, operation: impl Fn(&Job) -> Result<()> + Sync) {
+    let begun = Instant::now();
+    operation(&Job::default()).unwrap();
+    let whole = begun.elapsed();
+    let mut slowest = (Duration::ZERO, "");
+    for moment in 0..MOMENTS {
+        let job = Job::default();
+        let (answered, cancelled) = thread::scope(|scope| {
+            let run = scope.spawn(|| {
+                let _ = operation(&job);
+                Instant::now()
+            });
+            thread::sleep(whole * moment / MOMENTS);
+            job.cancel();
+            let cancelled = Instant::now();
+            (run.join().unwrap(), cancelled)
+        });
+        let answer = answered.saturating_duration_since(cancelled);
+        if answer > slowest.0 {
+            slowest = (answer, job.stage().name());
+        }
+    }
+    println!(
+        "{name:<24} {:>8.3} s whole {:>9.1} ms to cancel at most, in {}",
+        whole.as_secs_f64(),
+        slowest.0.as_secs_f64() * 1e3,
+        slowest.1
+    );
+}
+
+/// Points of a torus, as a golden spiral of its two angles.
+fn torus(count: usize) -> Vec<[f64; 3]> {
+    let turn = |i: usize, step: f64| std::f64::consts::TAU * (i as f64 * step).fract();
+    let point = |i| {
+        let (u, v) = (turn(i, 0.618_033_988_749_894_9), turn(i, 1.0 / count as f64));
+        let ring = 1.0 + 0.4 * v.cos();
+        [ring * u.cos(), ring * u.sin(), 0.4 * v.sin()]
+    };
+    (0..count).map(point).collect()
+}
+
+fn main() {
+    // Cargo passes --bench; a number is the size.
+    let size = std::env::args().filter_map(|argument| argument.parse().ok()).next();
+    let count: usize = size.unwrap_or(200_000);
+    let free = Job::default();
+    let rows = &torus(count)[..];
+    let points =
+        Arc::new(Points::new(rows.iter().copied(), PointsOptions::default(), &free).unwrap());
+    let triangulation = Arc::new(Triangulation::delaunay(&points, &free).unwrap());
+    let dual = Arc::new(Dual::new(&triangulation, DualOptions { facets: true }, &free).unwrap());
+    let poles = Poles::new(&dual, &free).unwrap();
+    let crust = PowerCrust::build(&points, PowerCrustOptions::default(), &free).unwrap();
+    let surface = crust.surface();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("surface.ply");
+    io::write_complex(&path, surface, Default::default(), &free).unwrap();
+
+    measure("sample", |job| sample(Shape::Genus3, SampleOptions::default(), job).map(drop));
+    measure("points", |job| {
+        Points::new(rows.iter().copied(), PointsOptions::default(), job).map(drop)
+    });
+    measure("Delaunay", |job| Triangulation::delaunay(&points, job).map(drop));
+    measure("its validate", |job| triangulation.validate(job).map(drop));
+    measure("dual", |job| Dual::new(&triangulation, DualOptions { facets: true }, job).map(drop));
+    measure("its validate", |job| dual.validate(job).map(drop));
+    measure("poles", |job| Poles::new(&dual, job).map(drop));
+    measure("its validate", |job| poles.validate(job).map(drop));
+    measure("feature size", |job| poles.feature_size(rows, job).map(drop));
+    measure("power crust", |job| {
+        PowerCrust::build(&points, PowerCrustOptions::default(), job).map(drop)
+    });
+    measure("its validate", |job| crust.validate(job).map(drop));
+    measure("topology", |job| surface.topology(job).map(drop));
+    measure("orientation", |job| surface.oriented(job).map(drop));
+    measure("its validate", |job| surface.validate(job).map(drop));
+    measure("comparison", |job| compare(surface, surface, &Default::default(), job).map(drop));
+    for name in ["surface.ply", "surface.off", "surface.vtu"] {
+        let path = folder.path().join(name);
+        let write =
+            |job: &Job| io::write_complex(&path, surface, Default::default(), job).map(drop);
+        measure(&format!("writing {name}"), write);
+    }
+    measure("reading surface.ply", |job| io::read_complex(&path, job).map(drop));
+}
