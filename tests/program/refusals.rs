@@ -1,0 +1,90 @@
+//! Bad files and bad command lines: what is said, the exit code, and what stays as it was.
+
+use crate::{Place, text};
+use medax::sample::Shape;
+
+#[test]
+fn bad_files_are_told_with_the_place() {
+    let place = Place::new();
+    place.write("word.off", "OFF\n3 1 0\n0 0 0\n1 0 zero\n0 1 0\n3 0 1 2\n");
+    let error = place.failure("crust word.off -o out.ply", 1);
+    assert_eq!(error["status"], "FORMAT");
+    assert_eq!((&error["kind"], &error["index"]), (&"line".into(), &4.into()));
+    let header = "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\n\
+                  property float x\nproperty float y\nproperty float z\nend_header\n";
+    place.write("huge.ply", header);
+    let error = place.failure("info huge.ply", 1);
+    assert_eq!((&error["status"], &error["kind"]), (&"FORMAT".into(), &"byte".into()));
+    place.write("empty.xyz", "");
+    assert_eq!(place.failure("poles empty.xyz", 1)["status"], "FORMAT");
+    assert_eq!(place.failure("info absent.ply", 1)["status"], "IO");
+    let error = place.failure("crust in.ply -o nowhere/out.ply", 1);
+    assert_eq!((&error["status"], &error["path"]), (&"IO".into(), &"nowhere/out.ply".into()));
+    let plain = place.run("info absent.ply");
+    assert_eq!(text(&plain.stderr).matches("absent.ply").count(), 1, "{}", text(&plain.stderr));
+    place.write("three.xyz", "0 0 0\n1 0 0\n0 1 0\n");
+    assert_eq!(place.failure("triangulate three.xyz", 1)["status"], "TOO_FEW_POINTS");
+    place.write("flat.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n5 5 0\n");
+    assert_eq!(place.failure("crust flat.xyz", 1)["status"], "DEGENERATE");
+    place.write("huge.xyz", "0 0 0\n1e300 0 0\n");
+    assert_eq!(place.failure("triangulate huge.xyz", 1)["status"], "COORDINATE_RANGE");
+    place.write("sample.pdf", "what is this");
+    assert_eq!(place.failure("info sample.pdf", 1)["status"], "UNSUPPORTED");
+}
+
+#[test]
+fn bad_command_lines_are_refused_with_2() {
+    let place = Place::new();
+    place.shape(Shape::Sphere, "in.ply");
+    let cases = [
+        "crust",
+        "solidify in.ply",
+        "crust in.ply --depe 3",
+        "crust in.ply --side left",
+        "crust in.ply --deep-degrees 80",
+        "crust in.ply --deep-degrees nan",
+        "crust in.ply -o out.step",
+        "crust in.ply -o out.pwn",
+        "crust in.ply -o out.ply --shape out.ply",
+        "triangulate in.ply --weights a --radii b",
+        "sample torus --spacing 0.1 --density 5",
+        "sample torus --spacing 0",
+        "sample torus --density -3",
+        "sample torus --noise -1",
+        "sample torus --noise=-1",
+        "crust in.ply --deep-degrees -100",
+        "sample teapot",
+        "info in.ply --threads many",
+        "compare in.ply",
+    ];
+    for arguments in cases {
+        let error = place.failure(arguments, 2);
+        assert_eq!(error["status"], "INVALID_ARGUMENT", "{arguments}");
+    }
+    assert_eq!(place.names(), ["in.ply"]);
+    for arguments in ["--help", "crust --help", "--version"] {
+        let output = place.run(arguments);
+        assert_eq!(output.status.code(), Some(0));
+        assert!(!output.stdout.is_empty() && output.stderr.is_empty());
+    }
+    assert_eq!(place.run("").status.code(), Some(2));
+}
+
+#[test]
+fn a_failure_leaves_old_files_as_they_are() {
+    let place = Place::new();
+    place.write("out.ply", "precious");
+    place.write("out.stl", "precious too");
+    place.write("bad.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 inf\n");
+    place.failure("crust bad.xyz -o out.ply", 1);
+    // The crust is built, but points have no place in an STL file.
+    place.shape(Shape::Sphere, "in.ply");
+    let error = place.failure("crust in.ply --poles out.stl", 1);
+    assert_eq!(error["status"], "UNSUPPORTED");
+    assert_eq!(place.read("out.ply"), b"precious");
+    assert_eq!(place.read("out.stl"), b"precious too");
+    assert_eq!(place.names(), ["bad.xyz", "in.ply", "out.ply", "out.stl"]);
+    // And success replaces them.
+    place.json("crust in.ply -o out.ply");
+    assert!(place.read("out.ply").starts_with(b"ply\n"));
+}
