@@ -8,6 +8,8 @@ use std::path::{Path, PathBuf};
 
 /// How much is read between two reports of progress.
 const PIECE: usize = 4 << 20;
+/// How many links after one another are followed, as by Linux.
+const LINK_LIMIT: usize = 40;
 /// The share of reading that goes to getting the bytes; parsing takes the rest.
 const LOAD_SHARE: usize = 10;
 
@@ -50,11 +52,8 @@ pub(super) fn replace<T>(
     write: impl FnOnce(&mut dyn Write) -> Result<T>,
 ) -> Result<T> {
     let failed = |error: io::Error| failed("written", &error);
-    let target = target(path).map_err(failed)?;
-    let folder = match target.parent() {
-        Some(folder) if folder != Path::new("") => folder,
-        _ => Path::new("."),
-    };
+    let target = target(path)?;
+    let folder = target.parent().unwrap_or(Path::new("."));
     let mut builder = tempfile::Builder::new();
     builder.prefix(".medax-").suffix(".part");
     #[cfg(unix)]
@@ -77,14 +76,35 @@ pub(super) fn replace<T>(
     Ok(written)
 }
 
-/// The file that a link at the end of the path names, or the path itself.
-fn target(path: &Path) -> io::Result<PathBuf> {
+/// The file that writing to `path` makes or replaces, by the one name that it has without links: two
+/// paths with one target would overwrite each other.
+///
+/// Errors: [`Status::Io`] where the folder is not there, or something other than a file has the name.
+pub fn target(path: impl AsRef<Path>) -> Result<PathBuf> {
+    resolve(path.as_ref()).map_err(|error| failed("written", &error))
+}
+
+fn resolve(path: &Path) -> io::Result<PathBuf> {
     match path.metadata() {
-        Ok(there) if there.is_file() => path.canonicalize(),
-        Ok(_) => Err(io::Error::other("something other than a file has this name")),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(path.to_path_buf()),
-        Err(error) => Err(error),
+        Ok(there) if there.is_file() => return path.canonicalize(),
+        Ok(_) => return Err(io::Error::other("something other than a file has this name")),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {}
+        Err(error) => return Err(error),
     }
+    // A link may name a file that is not there yet.
+    let mut path = path.to_path_buf();
+    for _ in 0..LINK_LIMIT {
+        let folder = match path.parent() {
+            Some(folder) if folder != Path::new("") => folder,
+            _ => Path::new("."),
+        };
+        let Ok(next) = path.read_link() else {
+            let name = path.file_name().ok_or(io::ErrorKind::InvalidInput)?;
+            return Ok(folder.canonicalize()?.join(name));
+        };
+        path = folder.join(next);
+    }
+    Err(io::Error::other("its links lead to no end"))
 }
 
 /// Says what the system said. The path is the caller's to name.

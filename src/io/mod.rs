@@ -24,6 +24,7 @@ mod vtu;
 mod write;
 mod xyz;
 
+pub use file::target;
 pub use format::Format;
 pub use soup::Soup;
 pub use write::{WriteOptions, write_complex, write_points};

@@ -88,3 +88,47 @@ fn a_failure_leaves_old_files_as_they_are() {
     place.json("crust in.ply -o out.ply");
     assert!(place.read("out.ply").starts_with(b"ply\n"));
 }
+
+#[test]
+fn one_file_under_two_names_is_refused_before_any_work() {
+    let place = Place::new();
+    let folder = |name: &str| std::fs::create_dir(place.path(name)).unwrap();
+    folder("d");
+    folder("e");
+    let mut cases = vec![
+        ("crust", "-o a.ply --shape ./a.ply".to_string()),
+        ("crust", "-o a.ply --poles d/../a.ply".to_string()),
+        ("crust", "--shape d/a.ply --poles d/../d/a.ply".to_string()),
+        ("poles", format!("-o a.ply --normals {}", place.path("a.ply").display())),
+    ];
+    #[cfg(unix)]
+    {
+        let link = |to: &str, name: &str| std::os::unix::fs::symlink(to, place.path(name)).unwrap();
+        place.write("there.ply", "precious");
+        link("there.ply", "link.ply");
+        link("../not_there.ply", "d/dangling.ply");
+        link("d/dangling.ply", "twice.ply");
+        link("d", "folder");
+        for names in [
+            "-o there.ply --shape link.ply",
+            "-o link.ply --shape there.ply",
+            "-o not_there.ply --shape d/dangling.ply",
+            "-o d/dangling.ply --shape twice.ply",
+            "-o d/a.ply --shape folder/a.ply",
+        ] {
+            cases.push(("crust", names.to_string()));
+        }
+    }
+    let names = place.names();
+    for (command, outputs) in cases {
+        // The input is not even looked for.
+        let error = place.failure(&format!("{command} absent.ply {outputs}"), 2);
+        let message = error["message"].as_str().unwrap();
+        assert!(message.contains("is named as two outputs"), "{outputs}: {message}");
+    }
+    assert_eq!(place.names(), names);
+    // One name in two folders is two files.
+    place.shape(Shape::Sphere, "in.ply");
+    place.json("crust in.ply -o d/a.ply --shape e/a.ply");
+    assert!(place.path("d/a.ply").is_file() && place.path("e/a.ply").is_file());
+}

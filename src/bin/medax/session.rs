@@ -64,7 +64,7 @@ impl OutputOptions {
     /// Refuses, before any work, files that could not be written or that would overwrite each
     /// other.
     pub fn check<'a>(&'a self, more: &[&'a Option<PathBuf>]) -> Result<(), Failure> {
-        let mut seen: Vec<&Path> = Vec::new();
+        let mut seen: Vec<PathBuf> = Vec::new();
         for path in [&self.output].into_iter().chain(more.iter().copied()).flatten() {
             let shown = path.display();
             let format = Format::of_path(path)
@@ -78,10 +78,11 @@ impl OutputOptions {
                 let message = format!("there is no folder '{}' to write to", folder.display());
                 return Err(Failure::about(path)(Error::new(Status::Io, message)));
             }
-            if seen.contains(&path.as_path()) {
+            let target = io::target(path).map_err(Failure::about(path))?;
+            if seen.contains(&target) {
                 return Err(Failure::usage(format!("'{shown}' is named as two outputs")));
             }
-            seen.push(path);
+            seen.push(target);
         }
         Ok(())
     }
