@@ -54,10 +54,11 @@ pub(super) fn replace<T>(
     let failed = |error: io::Error| failed("written", &error);
     let target = target(path)?;
     let folder = target.parent().unwrap_or(Path::new("."));
+    let replaced = target.metadata().ok().map(|there| there.permissions());
     let mut builder = tempfile::Builder::new();
     builder.prefix(".medax-").suffix(".part");
     #[cfg(unix)]
-    {
+    if replaced.is_none() {
         // As for any new file; the user's mask takes its bits away.
         use std::os::unix::fs::PermissionsExt;
         builder.permissions(std::fs::Permissions::from_mode(0o666));
@@ -72,6 +73,9 @@ pub(super) fn replace<T>(
         _ => error,
     })?;
     let file = out.into_inner().map_err(|error| failed(error.into_error()))?;
+    if let Some(permissions) = replaced {
+        file.as_file().set_permissions(permissions).map_err(failed)?;
+    }
     file.persist(&target).map_err(|error| failed(error.error))?;
     Ok(written)
 }

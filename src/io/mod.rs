@@ -6,8 +6,8 @@
 //! read streams of typed records, and say neither where a file is wrong nor how much it promises.
 //! They are small, as the formats are.
 //!
-//! Writing goes to a file beside the given name, moved into place when it is complete. What a
-//! format cannot hold is said in the returned warnings. Numbers are written so that they read back
+//! Writing goes to a file beside the given name, moved into place when it is complete, with the rights of
+//! the file that it replaces. What a format cannot hold is said in the returned warnings. Numbers are written so that they read back
 //! to the same bits, save for STL, which has single precision only and says so.
 
 mod file;

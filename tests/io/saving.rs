@@ -136,3 +136,45 @@ fn links_are_followed_and_the_usual_rights_are_given() {
     let mode = |path: &Path| path.metadata().unwrap().permissions().mode();
     assert_eq!(mode(&target), mode(&other));
 }
+
+#[cfg(unix)]
+#[test]
+fn a_replaced_file_keeps_its_mode() {
+    use std::fs::Permissions;
+    use std::os::unix::fs::PermissionsExt;
+    let folder = tempfile::tempdir().unwrap();
+    // Also bits that the usual mask would take away.
+    for (name, mode) in [("private.off", 0o600), ("shared.off", 0o666), ("fixed.off", 0o444)] {
+        let path = folder.path().join(name);
+        fs::write(&path, "old").unwrap();
+        fs::set_permissions(&path, Permissions::from_mode(mode)).unwrap();
+        write_complex(&path, &triangle(), WriteOptions::default(), &Job::default()).unwrap();
+        assert_eq!(path.metadata().unwrap().permissions().mode() & 0o7777, mode, "{name}");
+        assert_eq!(read(&path, &Job::default()).unwrap().faces().len(), 1);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_to_a_file_that_is_not_there_yet_is_followed() {
+    use std::os::unix::fs::symlink;
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let write = |name: &str| {
+        write_complex(path(name), &triangle(), WriteOptions::default(), &Job::default())
+    };
+    fs::create_dir(path("in")).unwrap();
+    symlink("../new.off", path("in/link.off")).unwrap();
+    symlink(path("in/link.off"), path("link.off")).unwrap();
+    write("link.off").unwrap();
+    assert!(path("link.off").is_symlink() && path("in/link.off").is_symlink());
+    assert!(path("new.off").symlink_metadata().unwrap().is_file());
+    assert_eq!(read(path("new.off"), &Job::default()).unwrap().faces().len(), 1);
+    // Neither a loop nor a folder that is not there becomes a file.
+    symlink("loop.off", path("loop.off")).unwrap();
+    symlink("nowhere/a.off", path("lost.off")).unwrap();
+    for name in ["loop.off", "lost.off"] {
+        assert_eq!(write(name).unwrap_err().status(), Status::Io);
+        assert!(path(name).is_symlink());
+    }
+}
