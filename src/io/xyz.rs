@@ -1,7 +1,7 @@
 //! Tables of points: XYZ, PTS and CSV (a row a line), and PWN (a count, points, normals).
 //!
 //! The first three columns are coordinates; the others are passed over. `#` and `//` begin a
-//! comment. A first line of one whole number promises how many rows follow, no more and no fewer; a
+//! comment wherever they stand. A first line of one whole number promises how many rows follow, no more and no fewer; a
 //! first line that begins with the names x, y, z is passed over.
 
 use super::sink::Sink;
@@ -70,14 +70,17 @@ pub(super) fn parse_pwn(bytes: &[u8], run: &Run<'_>) -> Result<Soup> {
     builder.finish()
 }
 
-/// The next line that is neither blank nor a comment.
+/// The next line that is neither blank nor a comment, without the comment at its end.
 fn next_row<'a>(lines: &mut Lines<'a>) -> Result<Option<Line<'a>>> {
-    loop {
-        match lines.next_filled()? {
-            Some(line) if line.bytes.trim_ascii_start().starts_with(b"//") => {}
-            line => return Ok(line),
+    while let Some(Line { number, bytes }) = lines.next()? {
+        let begins = |i: &usize| bytes[*i] == b'#' || bytes[*i..].starts_with(b"//");
+        let end = (0..bytes.len()).find(begins).unwrap_or(bytes.len());
+        let bytes = bytes[..end].trim_ascii();
+        if !bytes.is_empty() {
+            return Ok(Some(Line { number, bytes }));
         }
     }
+    Ok(None)
 }
 
 /// The count on a line that holds nothing else.
@@ -96,11 +99,14 @@ fn names_columns(line: Line<'_>) -> bool {
         .all(|name| words.next().is_some_and(|w| w.eq_ignore_ascii_case(*name)))
 }
 
-/// The first three columns. A semicolon anywhere in the line parts columns, or else a comma; white space
-/// does not then.
+/// The first three columns. What follows the first one parts them all: a semicolon, a comma, or else white
+/// space.
 fn row(line: Line<'_>) -> Result<[f64; 3]> {
-    let Some(separator) = [b';', b','].into_iter().find(|s| line.bytes.contains(s)) else {
-        return line.words().xyz();
+    let is_end = |b: &u8| b.is_ascii_whitespace() || matches!(b, b';' | b',');
+    let first = line.bytes.iter().position(is_end).unwrap_or(line.bytes.len());
+    let separator = match line.bytes[first..].trim_ascii_start().first() {
+        Some(&separator @ (b';' | b',')) => separator,
+        _ => return line.words().xyz(),
     };
     let mut columns = line.bytes.split(|&b| b == separator).map(|column| column.trim_ascii());
     let mut xyz = [0.0; 3];

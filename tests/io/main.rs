@@ -6,3 +6,4 @@ mod models;
 mod round_trip;
 mod samples;
 mod saving;
+mod tables;

@@ -276,15 +276,20 @@ fn faults_in_stl() {
 
 #[test]
 fn faults_in_tables() {
-    let faults: [Fault<'_>; 14] = [
+    let faults: [Fault<'_>; 19] = [
         ("# nothing\n", 1, "holds no row"),
         ("0 0 0\n1 2\n", 2, "the line ends before z"),
         ("0 0 0\n1 two 3\n", 2, "y must be a number, not 'two'"),
         ("0 0 0\nx y z\n", 2, "x must be a number, not 'x'"),
         ("0,0,0\n1,,3\n", 2, "the column of y is empty"),
         ("0,0,0\n1,2\n", 2, "the line ends before z"),
-        ("0,0,0\n1 2,3,4\n", 2, "x must be a number, not '1 2'"),
-        ("0;0;0\n0,5;1;1\n", 2, "x must be a number, not '0,5'"),
+        ("0,0,0\n1 2,3,4\n", 2, "y must be a number, not '2,3,4'"),
+        ("0;0;0\n0,5;1;1\n", 2, "y must be a number, not '5;1;1'"),
+        ("0;0;0\n5;0,5;1\n", 2, "y must be a number, not '0,5'"),
+        ("0 0 0\n0 0, 0\n", 2, "y must be a number, not '0,'"),
+        ("0 0 0\n0 0 # 0\n", 2, "the line ends before z"),
+        ("0,0,0\n0,0,#0\n", 2, "the column of z is empty"),
+        (",0,0\n", 1, "the column of x is empty"),
         ("0;0;0\n1;2;\n", 2, "the column of z is empty"),
         ("3\n0 0 0\n1 1 1\n2 2  ", 4, "the line ends before z"),
         ("3\n0 0 0\n1 1 1\n      ", 4, "the file ends here, before row 3"),
