@@ -2,6 +2,7 @@
 
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::job::Run;
+use std::str::FromStr;
 
 /// The bytes between two reports of progress: well below 10 ms of parsing.
 const TICK_BYTES: usize = 1 << 16;
@@ -175,16 +176,20 @@ impl<'a> Words<'a> {
     /// The next word as a count.
     pub fn whole(&mut self, what: &str) -> Result<u64> {
         let word = self.expect(what)?;
-        count(word).ok_or_else(|| {
-            at_line(self.line, format!("{what} must be a whole number, not {}", shown(word)))
+        if !is_count(word) {
+            let message = format!("{what} must be a whole number, not {}", shown(word));
+            return Err(at_line(self.line, message));
+        }
+        parse(word).ok_or_else(|| {
+            at_line(self.line, format!("{what} is {}, more than any file holds", shown(word)))
         })
     }
 
     /// The next word as an index below `count`.
     pub fn index(&mut self, what: &str, count: usize) -> Result<u32> {
         let word = self.expect(what)?;
-        let index = self::count(word).filter(|&index| index < count as u64);
-        index.and_then(|index| u32::try_from(index).ok()).ok_or_else(|| {
+        let index = if is_count(word) { parse(word) } else { None };
+        index.filter(|&index: &u32| (index as usize) < count).ok_or_else(|| {
             let shown = shown(word);
             at_line(
                 self.line,
@@ -209,13 +214,14 @@ pub(super) fn not_a_number(line: u64, word: &[u8], what: &str) -> Error {
 
 /// A word as a number, correctly rounded.
 pub(super) fn number(word: &[u8]) -> Option<f64> {
+    parse(word)
+}
+
+fn parse<T: FromStr>(word: &[u8]) -> Option<T> {
     std::str::from_utf8(word).ok()?.parse().ok()
 }
 
-/// A word of digits as a number; every count past 2^64 is as impossible as the next.
-pub(super) fn count(word: &[u8]) -> Option<u64> {
-    if word.is_empty() || !word.iter().all(u8::is_ascii_digit) {
-        return None;
-    }
-    Some(std::str::from_utf8(word).ok()?.parse().unwrap_or(u64::MAX))
+/// Whether a word consists of digits.
+pub(super) fn is_count(word: &[u8]) -> bool {
+    !word.is_empty() && word.iter().all(u8::is_ascii_digit)
 }

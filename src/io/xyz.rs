@@ -6,7 +6,7 @@
 
 use super::sink::Sink;
 use super::soup::{Builder, Soup};
-use super::text::{Line, Lines, at_line, count, not_a_number, number};
+use super::text::{Line, Lines, at_line, is_count, not_a_number, number};
 use crate::complex::{Attribute, Complex, Element, Values};
 use crate::error::Result;
 use crate::job::Run;
@@ -21,7 +21,7 @@ pub(super) fn parse(bytes: &[u8], run: &Run<'_>) -> Result<Soup> {
     let mut is_first = true;
     while let Some(line) = next_row(&mut lines)? {
         if std::mem::take(&mut is_first) {
-            promised = promised_rows(line);
+            promised = promised_rows(line)?;
             if let Some(count) = promised {
                 lines.check_room(count, ROW_BYTES, "rows")?;
             }
@@ -46,7 +46,7 @@ pub(super) fn parse(bytes: &[u8], run: &Run<'_>) -> Result<Soup> {
 pub(super) fn parse_pwn(bytes: &[u8], run: &Run<'_>) -> Result<Soup> {
     let mut lines = Lines::new(bytes, run);
     let Some(first) = next_row(&mut lines)? else { return Err(lines.ended("the count")) };
-    let count = promised_rows(first)
+    let count = promised_rows(first)?
         .ok_or_else(|| at_line(first.number, "a PWN file begins with the number of points"))?;
     lines.check_room(count, 2 * ROW_BYTES, "points with normals")?;
     let mut builder = Builder::new(run);
@@ -84,10 +84,11 @@ fn next_row<'a>(lines: &mut Lines<'a>) -> Result<Option<Line<'a>>> {
 }
 
 /// The count on a line that holds nothing else.
-fn promised_rows(line: Line<'_>) -> Option<u64> {
-    let mut words = line.words();
-    let first = words.next().and_then(count);
-    if words.is_at_end() { first } else { None }
+fn promised_rows(line: Line<'_>) -> Result<Option<u64>> {
+    if !is_count(line.bytes) {
+        return Ok(None);
+    }
+    line.words().whole("the number of rows").map(Some)
 }
 
 /// Whether the line names its columns x, y, z, in either case, quoted or not.
