@@ -7,7 +7,7 @@
 
 use super::sink::Sink;
 use super::soup::{Builder, Soup};
-use super::text::{Line, Lines, at_line, not_a_number, number, shown};
+use super::text::{Line, Lines, at_line, number, shown};
 use crate::complex::Complex;
 use crate::error::Result;
 use crate::job::Run;
@@ -85,7 +85,7 @@ fn vertex(words: &[&[u8]], line: u64) -> Result<[f64; 3]> {
     }
     let mut xyz = [0.0; 3];
     for ((x, word), name) in xyz.iter_mut().zip(words).zip(["x", "y", "z"]) {
-        *x = number(word).ok_or_else(|| not_a_number(line, word, name))?;
+        *x = number::<f64>(line, word, name)?;
     }
     Ok(xyz)
 }

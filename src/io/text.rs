@@ -165,7 +165,7 @@ impl<'a> Words<'a> {
     /// The next word as a number; NaN and infinities are numbers here.
     pub fn f64(&mut self, what: &str) -> Result<f64> {
         let word = self.expect(what)?;
-        number(word).ok_or_else(|| not_a_number(self.line, word, what))
+        number::<f64>(self.line, word, what)
     }
 
     /// The next three words as coordinates.
@@ -207,14 +207,26 @@ impl<'a> Words<'a> {
     }
 }
 
-/// The error for a word where a number belongs.
-pub(super) fn not_a_number(line: u64, word: &[u8], what: &str) -> Error {
-    at_line(line, format!("{what} must be a number, not {}", shown(word)))
+/// A word as a number of type `T`, correctly rounded. NaN and infinities are numbers where the word names
+/// them; digits that `T` makes an infinity or 0 of are an error.
+pub(super) fn number<T: FromStr + Into<f64>>(line: u64, word: &[u8], what: &str) -> Result<f64> {
+    let Some(value) = parse::<T>(word).map(T::into) else {
+        return Err(at_line(line, format!("{what} must be a number, not {}", shown(word))));
+    };
+    if (value == 0.0 || value.is_infinite()) && has_digits(word) {
+        let is = if value == 0.0 { "small" } else { "large" };
+        let precision = if size_of::<T>() == size_of::<f32>() { "single" } else { "double" };
+        let shown = shown(word);
+        let message = format!("{what} is too {is} for {precision} precision: {shown}");
+        return Err(at_line(line, message));
+    }
+    Ok(value)
 }
 
-/// A word as a number, correctly rounded.
-pub(super) fn number(word: &[u8]) -> Option<f64> {
-    parse(word)
+/// Whether a number has a digit other than 0 before its exponent.
+fn has_digits(word: &[u8]) -> bool {
+    let mut digits = word.iter().take_while(|b| !b.eq_ignore_ascii_case(&b'e'));
+    digits.any(|b| (b'1'..=b'9').contains(b))
 }
 
 fn parse<T: FromStr>(word: &[u8]) -> Option<T> {

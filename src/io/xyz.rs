@@ -6,7 +6,7 @@
 
 use super::sink::Sink;
 use super::soup::{Builder, Soup};
-use super::text::{Line, Lines, at_line, is_count, not_a_number, number};
+use super::text::{Line, Lines, at_line, is_count, number};
 use crate::complex::{Attribute, Complex, Element, Values};
 use crate::error::Result;
 use crate::job::Run;
@@ -115,7 +115,7 @@ fn row(line: Line<'_>) -> Result<[f64; 3]> {
         *x = match columns.next() {
             None => return Err(at_line(line.number, format!("the line ends before {name}"))),
             Some([]) => return Err(at_line(line.number, format!("the column of {name} is empty"))),
-            Some(word) => number(word).ok_or_else(|| not_a_number(line.number, word, name))?,
+            Some(word) => number::<f64>(line.number, word, name)?,
         };
     }
     Ok(xyz)

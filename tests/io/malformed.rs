@@ -111,7 +111,7 @@ fn faults_in_ply_rows() {
     check(
         Format::Ply,
         &[
-            (&vertex("1 zero 0"), 9, "'zero' is not a number"),
+            (&vertex("1 zero 0"), 9, "the value must be a number, not 'zero'"),
             (&vertex("1.0 0"), 9, "the line ends"),
             (&vertex("1 0 0 0"), 9, "'0' follows"),
             (&ply("", "9 9 9\n"), 11, "'9' follows the last row"),
@@ -350,6 +350,58 @@ fn faults_in_ma() {
             ),
         ],
     );
+}
+
+#[test]
+fn numbers_that_a_float_cannot_hold_are_refused() {
+    let digits = "1".repeat(400);
+    let (small, large) = (format!("0.{}1", "0".repeat(400)), format!("-{digits}.5"));
+    for (word, is) in [
+        ("1e400", "large"),
+        ("-1e400", "large"),
+        ("1.8E308", "large"),
+        (&large, "large"),
+        ("1e-400", "small"),
+        ("-0.00001e-330", "small"),
+        ("2e-324", "small"),
+        (&small, "small"),
+    ] {
+        let message = format!("is too {is} for double precision: '{}", &word[..word.len().min(24)]);
+        check(Format::Xyz, &[(&format!("0 0 0\n1 {word} 0\n"), 2, &format!("y {message}"))]);
+        check(Format::Csv, &[(&format!("0,0,0\n1, {word},0\n"), 2, &format!("y {message}"))]);
+        check(Format::Pwn, &[(&format!("1\n0 0 0\n{word} 0 0\n"), 3, &format!("x {message}"))]);
+        check(Format::Off, &[(&format!("OFF\n1 0 0\n0 0 {word}\n"), 3, &format!("z {message}"))]);
+        check(Format::Obj, &[(&format!("v 0 0 {word}\n"), 1, &format!("z {message}"))]);
+        let radius = format!("the radius {message}");
+        check(Format::Ma, &[(&format!("1 0 0\nv 0 0 0 {word}\n"), 2, &radius)]);
+        let text = std::str::from_utf8(samples::STL_TEXT).unwrap();
+        let corner = text.replacen("vertex 1 0 0", &format!("vertex 1 {word} 0"), 1);
+        check(Format::Stl, &[(&corner, 5, &format!("y {message}"))]);
+        let row = ply("", "").replacen("1 0 0", &format!("1 0 {word}"), 1);
+        check(Format::Ply, &[(&row, 9, &message)]);
+    }
+    let single = |word: &str| {
+        let text = ply("", "").replace("double y", "float y");
+        text.replacen("1 0 0", &format!("1 {word} 0"), 1)
+    };
+    check(
+        Format::Ply,
+        &[
+            (&single("1e39"), 9, "the value is too large for single precision: '1e39'"),
+            (&single("-1e-46"), 9, "the value is too small for single precision: '-1e-46'"),
+        ],
+    );
+    // In double precision these are numbers like any other, and so are the last ones.
+    for word in ["1e39", "-1e-46", "5e-324", "1.7976931348623157e308"] {
+        let soup = parse(format!("{word} 0 0\n").as_bytes(), Format::Xyz, &Job::default()).unwrap();
+        assert_eq!(soup.vertices()[0][0], word.parse::<f64>().unwrap());
+    }
+    let zeros = b"0e400 -0.000e-999 0\n-0 .0 00e5\n";
+    let soup = parse(zeros, Format::Xyz, &Job::default()).unwrap();
+    assert_eq!(soup.vertices(), [[0.0; 3]; 2]);
+    let soup = parse(b"inf -Infinity +nan\n", Format::Xyz, &Job::default()).unwrap();
+    let [x, y, z] = soup.vertices()[0];
+    assert!(x == f64::INFINITY && y == f64::NEG_INFINITY && z.is_nan());
 }
 
 #[test]

@@ -6,7 +6,7 @@ use super::names::{Column, attributes};
 use crate::complex;
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::io::soup::Builder;
-use crate::io::text::{Lines, Words, at_line, shown};
+use crate::io::text::{Lines, Words, at_line, number, shown};
 use crate::job::Run;
 
 /// The rows between two reports of progress.
@@ -255,18 +255,18 @@ impl Source for Text<'_> {
 
     fn value(&mut self, ty: Type) -> Result<Number> {
         let word = self.words.expect("the last value of its row")?;
-        let text = std::str::from_utf8(word).unwrap_or_default();
-        let number = match (ty, ty.range()) {
-            (_, Some((least, most))) => {
-                let value = text.parse().ok().filter(|value| (least..=most).contains(value));
-                value.map(Number::Whole)
-            }
-            (Type::F32, _) => text.parse::<f32>().ok().map(|value| Number::Real(value.into())),
-            _ => text.parse().ok().map(Number::Real),
+        let what = "the value";
+        let Some((least, most)) = ty.range() else {
+            let value = match ty {
+                Type::F32 => number::<f32>(self.line, word, what),
+                _ => number::<f64>(self.line, word, what),
+            };
+            return value.map(Number::Real);
         };
-        number.ok_or_else(|| {
-            let kind = if ty.is_float() { "a number" } else { "a whole number of its type" };
-            at_line(self.line, format!("{} is not {kind}", shown(word)))
+        let whole = std::str::from_utf8(word).ok().and_then(|text| text.parse().ok());
+        let whole = whole.filter(|value| (least..=most).contains(value));
+        whole.map(Number::Whole).ok_or_else(|| {
+            at_line(self.line, format!("{} is not a whole number of its type", shown(word)))
         })
     }
 
