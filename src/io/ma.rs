@@ -8,7 +8,7 @@ use super::sink::Sink;
 use super::soup::{Builder, Soup};
 use super::text::{Lines, at_line, shown};
 use crate::complex::{Attribute, Complex, Element, Values};
-use crate::error::{Error, Result, Status};
+use crate::error::{ElementKind, Error, Result, Status};
 use crate::job::Run;
 
 /// The statements: letter, name, least bytes of a line.
@@ -66,7 +66,7 @@ pub(super) fn parse(bytes: &[u8], run: &Run<'_>) -> Result<Soup> {
     }
     let values = Values::F64(radii);
     builder.attributes.push(Attribute::new("radius", Element::Vertex, 1, values)?);
-    builder.finish()
+    builder.finish((ElementKind::Line, first.number))
 }
 
 pub(super) fn write(complex: &Complex, out: &mut Sink<'_>) -> Result<()> {

@@ -9,7 +9,7 @@ use super::sink::Sink;
 use super::soup::{Builder, Soup};
 use super::text::{Line, Lines, at_line, number, shown};
 use crate::complex::Complex;
-use crate::error::Result;
+use crate::error::{ElementKind, Result};
 use crate::job::Run;
 
 pub(super) fn parse(bytes: &[u8], run: &Run<'_>) -> Result<Soup> {
@@ -58,7 +58,7 @@ pub(super) fn parse(bytes: &[u8], run: &Run<'_>) -> Result<Soup> {
         return Err(at_line(lines.number(), "the file ends here, and holds no vertex"));
     }
     greatest.check(builder.vertices.len())?;
-    builder.finish()
+    builder.finish((ElementKind::Line, lines.number()))
 }
 
 /// Collects the words behind the keyword. A backslash at the end of a line continues it.

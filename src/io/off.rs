@@ -39,6 +39,7 @@ pub(super) fn parse(bytes: &[u8], run: &Run<'_>) -> Result<Soup> {
     if words.is_at_end() {
         words = lines.expect("the counts")?.words();
     }
+    let counted = (ElementKind::Line, lines.number());
     let vertex_count = words.whole("the number of vertices")?;
     let face_count = words.whole("the number of faces")?;
     if !words.is_at_end() {
@@ -84,7 +85,7 @@ pub(super) fn parse(bytes: &[u8], run: &Run<'_>) -> Result<Soup> {
         let values = Values::F64(normals);
         builder.attributes.push(Attribute::new("normal", Element::Vertex, 3, values)?);
     }
-    builder.finish()
+    builder.finish(counted)
 }
 
 /// Reads the keyword, and returns what is left of its line.

@@ -19,6 +19,8 @@ pub struct Soup {
     pub(super) edges: Vec<[u32; 2]>,
     pub(super) attributes: Vec<Attribute>,
     pub(super) warnings: Vec<String>,
+    /// Where a file without vertices says that it has none.
+    pub(super) nothing_at: Option<(ElementKind, u64)>,
 }
 
 impl Soup {
@@ -55,13 +57,17 @@ impl Soup {
     /// The points: the vertices that a face or an edge uses, or all where there is neither.
     ///
     /// Rows are those of the file; an unused one maps to [`NONE`](crate::NONE).
-    /// Errors: as [`Points::new`].
+    /// Errors: as [`Points::new`]; [`Status::TooFewPoints`] names the line or byte where the file says
+    /// that it holds no point.
     pub fn points(&self, options: PointsOptions, job: &Job) -> Result<Points> {
         job.run(&[(Stage::Order, 1.0)], |run| self.points_in(options, run))
     }
 
     /// [`Soup::points`] as a stage of a larger build.
     pub(crate) fn points_in(&self, options: PointsOptions, run: &Run<'_>) -> Result<Points> {
+        if let Some((kind, place)) = self.nothing_at {
+            return Err(Error::new(Status::TooFewPoints, "the file holds no point").at(kind, place));
+        }
         if !self.is_mesh() {
             return Points::new_in(self.vertices.iter().copied(), options, run);
         }
@@ -259,12 +265,14 @@ impl<'a> Builder<'a> {
         self.room.reserve(&mut self.face_indices, count.saturating_mul(3))
     }
 
-    pub fn finish(self) -> Result<Soup> {
+    /// Ends the reading. The number of vertices stands at `counted`, or is known there.
+    pub fn finish(self, counted: (ElementKind, u64)) -> Result<Soup> {
         let limit = u32::MAX as usize;
         if [self.vertices.len(), self.edges.len()].iter().any(|&n| n >= limit) {
             return Err(Error::new(Status::LimitExceeded, "more than 2^32 - 2 rows"));
         }
         Ok(Soup {
+            nothing_at: self.vertices.is_empty().then_some(counted),
             vertices: self.vertices,
             faces: Rows::new(self.face_offsets, self.face_indices)?,
             edges: self.edges,

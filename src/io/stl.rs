@@ -29,15 +29,18 @@ pub(super) fn parse(bytes: &[u8], run: &Run<'_>) -> Result<Soup> {
         count.map(|n| START as u64 + FACET as u64 * u64::from(n)) == Some(bytes.len() as u64);
     let is_text = bytes.trim_ascii_start().starts_with(b"solid")
         && !bytes[..bytes.len().min(1 << 10)].contains(&0);
-    match count {
-        _ if is_text && !is_whole => text(bytes, &mut merger, run)?,
-        Some(count) => binary(bytes, count, &mut merger, run)?,
+    let counted = match count {
+        _ if is_text && !is_whole => (ElementKind::Line, text(bytes, &mut merger, run)?),
+        Some(count) => {
+            binary(bytes, count, &mut merger, run)?;
+            (ElementKind::Byte, HEADER as u64)
+        }
         None => {
             let message = "the file ends here: too short for a binary STL, and no text that begins with 'solid'";
             return Err(at_byte(bytes.len(), message));
         }
-    }
-    merger.finish()
+    };
+    merger.finish(counted)
 }
 
 fn at_byte(byte: usize, message: impl Into<String>) -> Error {
@@ -69,7 +72,8 @@ fn binary(bytes: &[u8], count: u32, merger: &mut Merger<'_>, run: &Run<'_>) -> R
     Ok(())
 }
 
-fn text(bytes: &[u8], merger: &mut Merger<'_>, run: &Run<'_>) -> Result<()> {
+/// Reads a text, and returns the number of its last line.
+fn text(bytes: &[u8], merger: &mut Merger<'_>, run: &Run<'_>) -> Result<u64> {
     let mut lines = Lines::new(bytes, run);
     while let Some(line) = lines.next_filled()? {
         check_words(line, &["solid"])?;
@@ -92,7 +96,7 @@ fn text(bytes: &[u8], merger: &mut Merger<'_>, run: &Run<'_>) -> Result<()> {
             merger.facet(corners)?;
         }
     }
-    Ok(())
+    Ok(lines.number())
 }
 
 /// Checks that the line begins with these words, in either case, and returns what follows.
@@ -140,8 +144,8 @@ impl Merger<'_> {
         Ok(vertex)
     }
 
-    fn finish(self) -> Result<Soup> {
-        let mut soup = self.builder.finish()?;
+    fn finish(self, counted: (ElementKind, u64)) -> Result<Soup> {
+        let mut soup = self.builder.finish(counted)?;
         if self.collapsed > 0 {
             let count = self.collapsed;
             soup.warnings.push(format!("{count} facets with equal corners were left out"));

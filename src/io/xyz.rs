@@ -8,7 +8,7 @@ use super::sink::Sink;
 use super::soup::{Builder, Soup};
 use super::text::{Line, Lines, at_line, is_count, number};
 use crate::complex::{Attribute, Complex, Element, Values};
-use crate::error::Result;
+use crate::error::{ElementKind, Result};
 use crate::job::Run;
 
 /// The least bytes of a row, its line end included.
@@ -18,9 +18,10 @@ pub(super) fn parse(bytes: &[u8], run: &Run<'_>) -> Result<Soup> {
     let mut lines = Lines::new(bytes, run);
     let mut builder = Builder::new(run);
     let mut promised = None;
-    let mut is_first = true;
+    let mut first_line = 0;
     while let Some(line) = next_row(&mut lines)? {
-        if std::mem::take(&mut is_first) {
+        if first_line == 0 {
+            first_line = line.number;
             promised = promised_rows(line)?;
             if let Some(count) = promised {
                 lines.check_room(count, ROW_BYTES, "rows")?;
@@ -39,7 +40,7 @@ pub(super) fn parse(bytes: &[u8], run: &Run<'_>) -> Result<Soup> {
     match promised {
         Some(count) if count > found as u64 => Err(lines.ended(&format!("row {count}"))),
         None if found == 0 => Err(at_line(lines.number(), "the file ends here, and holds no row")),
-        _ => builder.finish(),
+        _ => builder.finish((ElementKind::Line, first_line)),
     }
 }
 
@@ -67,7 +68,7 @@ pub(super) fn parse_pwn(bytes: &[u8], run: &Run<'_>) -> Result<Soup> {
     }
     let values = Values::F64(normals);
     builder.attributes.push(Attribute::new("normal", Element::Vertex, 3, values)?);
-    builder.finish()
+    builder.finish((ElementKind::Line, first.number))
 }
 
 /// The next line that is neither blank nor a comment, without the comment at its end.

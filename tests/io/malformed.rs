@@ -420,6 +420,39 @@ fn rows_that_are_not_finite_are_kept_for_the_points_to_judge() {
 }
 
 #[test]
+fn a_file_without_points_names_the_place_that_says_so() {
+    let ply = |encoding: &str| {
+        let properties = "property float x\nproperty float y\nproperty float z\n";
+        format!("ply\nformat {encoding} 1.0\nelement vertex 0\n{properties}end_header\n")
+    };
+    let (text, little) = (ply("ascii"), ply("binary_little_endian"));
+    let binary = samples::stl(b"", &[]);
+    let cases: [(Format, &[u8], ElementKind, u64); 8] = [
+        (Format::Xyz, b"# of nothing\n0\n\n", ElementKind::Line, 2),
+        (Format::Pwn, b"0\n", ElementKind::Line, 1),
+        (Format::Off, b"OFF\n# none\n0 0 0\n", ElementKind::Line, 3),
+        (Format::Ma, b"0 0 0\n", ElementKind::Line, 1),
+        (Format::Ply, text.as_bytes(), ElementKind::Line, 3),
+        (Format::Ply, little.as_bytes(), ElementKind::Line, 3),
+        (Format::Stl, b"solid\n\nendsolid\n", ElementKind::Line, 3),
+        (Format::Stl, &binary, ElementKind::Byte, 80),
+    ];
+    for (format, bytes, kind, index) in cases {
+        let soup = parse(bytes, format, &Job::default()).unwrap();
+        let error = soup.points(PointsOptions::default(), &Job::default()).unwrap_err();
+        assert_eq!(error.status(), Status::TooFewPoints, "{format:?}");
+        assert_eq!(error.element(), Some((kind, index)), "{format:?}: {error}");
+        // As a complex it is empty, and sound.
+        assert!(soup.into_complex().unwrap().vertices().is_empty());
+    }
+    // Rows that are left out are still rows: no place of the file is at fault.
+    let soup = parse(b"nan 0 0\n", Format::Xyz, &Job::default()).unwrap();
+    let skip = PointsOptions { skip_non_finite: true };
+    let error = soup.points(skip, &Job::default()).unwrap_err();
+    assert_eq!((error.status(), error.element()), (Status::TooFewPoints, None));
+}
+
+#[test]
 fn a_face_or_edge_that_repeats_a_vertex_is_read_and_is_no_complex() {
     for (text, kind, index) in [
         ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 2\n", ElementKind::Face, 1),

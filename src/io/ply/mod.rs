@@ -13,7 +13,7 @@ mod write;
 pub(super) use write::write;
 
 use super::soup::{Builder, Soup};
-use crate::error::Result;
+use crate::error::{ElementKind, Result};
 use crate::job::Run;
 use header::{Encoding, Header};
 
@@ -28,7 +28,8 @@ pub(super) fn parse(bytes: &[u8], run: &Run<'_>) -> Result<Soup> {
             body::parse(&header, body::Binary::new(bytes, &header, big_endian), &mut builder, run)
         }
     }?;
-    builder.finish()
+    let counted = header.elements.iter().find(|element| element.name == "vertex");
+    builder.finish((ElementKind::Line, counted.map_or(header.lines, |element| element.line)))
 }
 
 /// The type of a value.
