@@ -27,7 +27,8 @@ pub(super) fn parse(bytes: &[u8], run: &Run<'_>) -> Result<Soup> {
     let count = bytes.get(HEADER..START).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]));
     let is_whole =
         count.map(|n| START as u64 + FACET as u64 * u64::from(n)) == Some(bytes.len() as u64);
-    let is_text = bytes.trim_ascii_start().starts_with(b"solid")
+    let first_word = bytes.trim_ascii_start().get(..5).unwrap_or_default();
+    let is_text = first_word.eq_ignore_ascii_case(b"solid")
         && !bytes[..bytes.len().min(1 << 10)].contains(&0);
     let counted = match count {
         _ if is_text && !is_whole => (ElementKind::Line, text(bytes, &mut merger, run)?),

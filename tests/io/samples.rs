@@ -178,6 +178,13 @@ pub fn all() -> Vec<Sample> {
         sample("STL binary", Format::Stl, &stl(b"solid in name only", &QUAD), [4, 2, 0], true),
         // Two solids: a truncated file can hold the first one whole.
         sample("STL text", Format::Stl, STL_TEXT, [4, 2, 0], false),
+        sample(
+            "STL text in capitals",
+            Format::Stl,
+            &STL_TEXT.to_ascii_uppercase(),
+            [4, 2, 0],
+            false,
+        ),
         sample("XYZ", Format::Xyz, b"0 0 0\n1 2 3\n\n# 4\n4\t5\t6 7\n", [3, 0, 0], false),
         sample("PTS", Format::Xyz, b"3\n0 0 0 12 0 0 0\n1 2 3 4 0 0 0\n4 5 6 7 0 0 0\n", [3, 0, 0], true),
         sample("CSV", Format::Csv, b"X, \"y\",Z,name\n0,0,0,a b\n 1 , 2,3,\n", [2, 0, 0], false),
