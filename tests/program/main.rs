@@ -79,8 +79,10 @@ impl Place {
         for key in ["status", "message", "kind", "index", "path"] {
             assert!(error.get(key).is_some(), "{arguments}: no {key} in {error}");
         }
-        // The line for people says what the object says.
-        assert!(complaint.contains(error["message"].as_str().unwrap()), "{complaint} {error}");
+        // The lines for people say what the object says in one.
+        let message = error["message"].as_str().unwrap();
+        let words = complaint.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(words.contains(message) && !message.contains('\n'), "{complaint} {error}");
         error
     }
 

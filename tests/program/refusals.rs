@@ -61,6 +61,14 @@ fn bad_command_lines_are_refused_with_2() {
         let error = place.failure(arguments, 2);
         assert_eq!(error["status"], "INVALID_ARGUMENT", "{arguments}");
     }
+    let message = |arguments: &str| place.failure(arguments, 2)["message"].clone();
+    let missing = "the following required arguments were not provided: <INPUT>";
+    assert_eq!(message("crust"), missing);
+    assert_eq!(
+        message("compare --quiet"),
+        "the following required arguments were not provided: <A> <B>"
+    );
+    assert_eq!(message("crust in.ply --sides both"), "unexpected argument '--sides' found");
     assert_eq!(place.names(), ["in.ply"]);
     for arguments in ["--help", "crust --help", "--version"] {
         let output = place.run(arguments);

@@ -315,7 +315,10 @@ pub fn refuse(error: &clap::Error) -> ExitCode {
         return if put(&text) { ExitCode::SUCCESS } else { ExitCode::FAILURE };
     }
     if std::env::args_os().any(|argument| argument == "--json") {
-        let message = text.lines().next().unwrap_or_default().trim_start_matches("error: ");
+        // The first paragraph; what it may have meant and the usage follow.
+        let lines = text.lines().take_while(|line| !line.trim().is_empty()).map(str::trim);
+        let paragraph = lines.collect::<Vec<_>>().join(" ");
+        let message = paragraph.trim_start_matches("error: ");
         let status = Status::InvalidArgument.name();
         put_error(json!({
             "status": status,
