@@ -33,6 +33,33 @@ fn bad_files_are_told_with_the_place() {
 }
 
 #[test]
+fn weights_and_radii_that_are_none_are_refused() {
+    let place = Place::new();
+    let ply = "ply\nformat ascii 1.0\nelement vertex 5\nproperty double x\nproperty double y\n\
+               property double z\nproperty double r\nproperty double nx\nproperty double ny\n\
+               property double nz\nend_header\n\
+               0 0 0 1 0 0 1\nnan 0 0 -1 0 0 1\n0 1 0 0 0 0 1\n0 0 1 -0.5 0 0 1\n1 1 1 9 0 0 1\n";
+    place.write("in.ply", ply);
+    let message = |arguments: &str, code| {
+        let error = place.failure(arguments, code);
+        assert_eq!(error["status"], "INVALID_ARGUMENT", "{error}");
+        (error["message"].as_str().unwrap().to_string(), error)
+    };
+    let (none, _) = message("triangulate in.ply --weights mass", 2);
+    assert_eq!(none, "the vertices have no numbers named 'mass'; there are: r, normal");
+    let (columns, _) = message("triangulate in.ply --weights normal", 2);
+    assert!(columns.contains("'normal' has 3 columns"), "{columns}");
+    let (columns, _) = message("triangulate in.ply --radii normal", 2);
+    assert!(columns.contains("'normal' has 3 columns"), "{columns}");
+    // A row that is left out needs no radius.
+    let (negative, error) = message("triangulate in.ply --radii r --skip-non-finite", 1);
+    assert_eq!(negative, "a radius must not be negative, and this one is -0.5");
+    assert_eq!((&error["kind"], &error["index"]), (&"row".into(), &3.into()));
+    assert_eq!(error["path"], "in.ply");
+    place.json("triangulate in.ply --weights r --skip-non-finite");
+}
+
+#[test]
 fn bad_command_lines_are_refused_with_2() {
     let place = Place::new();
     place.shape(Shape::Sphere, "in.ply");

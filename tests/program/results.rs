@@ -158,19 +158,25 @@ fn files_hold_what_the_library_makes() {
 #[test]
 fn weights_come_from_an_attribute() {
     let place = Place::new();
-    let ply = "ply\nformat ascii 1.0\nelement vertex 6\nproperty double x\nproperty double y\n\
+    let ply = "ply\nformat ascii 1.0\nelement vertex 7\nproperty double x\nproperty double y\n\
                property double z\nproperty double w\nend_header\n\
-               0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n1 1 1 0\n.4 .4 .4 -9\n";
+               0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n1 1 1 0\n.1 .1 .1 0\n.4 .4 .4 -9\n";
     place.write("weighted.ply", ply);
     let hidden = |arguments: &str| place.json(arguments)["counts"]["hidden"].clone();
     assert_eq!(hidden("triangulate weighted.ply"), 0);
     assert_eq!(hidden("triangulate weighted.ply --weights w"), 1);
-    // As a radius its square is a weight of 81, which hides what lies round about.
-    let report = place.json("triangulate weighted.ply --radii w --validate");
+    // A weight above 0.36 hides the sixth point; that of a radius of 0.5 is 0.25.
+    place.write("small.ply", ply.replace("-9", "0.5"));
+    assert_eq!(hidden("triangulate small.ply --weights w"), 1);
+    assert_eq!(hidden("triangulate small.ply --radii w"), 0);
+    place.write("balls.ply", ply.replace("-9", "7"));
+    let report = place.json("triangulate balls.ply --radii w --validate");
     assert_eq!(report["parameters"]["radii"], "w");
-    assert!(report["counts"]["hidden"].as_u64() < Some(6));
-    let error = place.failure("triangulate weighted.ply --weights mass", 2);
-    assert!(error["message"].as_str().unwrap().contains("mass"));
+    assert_eq!(report["counts"]["hidden"], 1);
+    // Whole numbers serve, too.
+    place.write("whole.ply", ply.replace("-9", "7").replace("double w", "uint w"));
+    let whole = place.json("triangulate whole.ply --weights w");
+    assert_eq!(whole["counts"], place.json("triangulate balls.ply --weights w")["counts"]);
 }
 
 #[test]

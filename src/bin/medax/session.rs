@@ -133,7 +133,7 @@ impl Failure {
     }
 
     /// The error is about a file.
-    fn about(path: &Path) -> impl Fn(Error) -> Failure {
+    pub fn about(path: &Path) -> impl Fn(Error) -> Failure {
         move |error| Failure { error, path: Some(path.to_path_buf()), usage: false }
     }
 }

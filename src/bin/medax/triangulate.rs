@@ -2,9 +2,10 @@
 
 use crate::report::{Counts, Report};
 use crate::session::{Failure, OutputOptions, ReadOptions, Session, ValidateOptions};
-use medax::Triangulation;
 use medax::complex::{Element, Values};
 use medax::io::Soup;
+use medax::points::Points;
+use medax::{ElementKind, Error, NONE, Status, Triangulation};
 use serde_json::json;
 use std::path::PathBuf;
 
@@ -30,15 +31,15 @@ pub struct Options {
 pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> {
     options.output.check(&[])?;
     let soup = session.read(&options.input)?;
-    let weights = match (&options.weights, &options.radii) {
-        (Some(name), _) => Some(values(&soup, name)?.to_vec()),
-        (_, Some(name)) => {
-            Some(values(&soup, name)?.iter().map(|radius| radius * radius).collect())
-        }
-        (None, None) => None,
+    let mut weights = match options.weights.as_ref().or(options.radii.as_ref()) {
+        Some(name) => Some(values(&soup, name)?),
+        None => None,
     };
     let (points, input) = session.points(&options.input, &soup, &options.read)?;
     drop(soup);
+    if let (Some(radii), Some(_)) = (&mut weights, &options.radii) {
+        square(radii, &points).map_err(Failure::about(&options.input))?;
+    }
     let triangulation = match weights {
         Some(weights) => Triangulation::regular(&points, &weights, &session.job)?,
         None => Triangulation::delaunay(&points, &session.job)?,
@@ -59,17 +60,34 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
 }
 
 /// The one number that each row of the file has under this name.
-fn values<'a>(soup: &'a Soup, name: &str) -> Result<&'a [f64], Failure> {
+fn values(soup: &Soup, name: &str) -> Result<Vec<f64>, Failure> {
     let on_vertices = || soup.attributes().iter().filter(|a| a.element() == Element::Vertex);
-    let found = on_vertices().find(|a| a.name() == name && a.width() == 1);
-    match found.map(|attribute| attribute.values()) {
-        Some(Values::F64(values)) => Ok(values),
-        _ => {
-            let names: Vec<&str> = on_vertices().map(|attribute| attribute.name()).collect();
-            let names = if names.is_empty() { "none".into() } else { names.join(", ") };
-            let message =
-                format!("the vertices have no numbers named '{name}'; there are: {names}");
-            Err(Failure::usage(message))
-        }
+    let Some(found) = on_vertices().find(|attribute| attribute.name() == name) else {
+        let names: Vec<&str> = on_vertices().map(|attribute| attribute.name()).collect();
+        let names = if names.is_empty() { "none".into() } else { names.join(", ") };
+        let message = format!("the vertices have no numbers named '{name}'; there are: {names}");
+        return Err(Failure::usage(message));
+    };
+    if found.width() != 1 {
+        let width = found.width();
+        let message = format!("'{name}' has {width} columns, and one number a vertex is needed");
+        return Err(Failure::usage(message));
     }
+    Ok(match found.values() {
+        Values::F64(values) => values.clone(),
+        Values::U32(values) => values.iter().map(|&value| value.into()).collect(),
+    })
+}
+
+/// Makes weights of radii. Rows that no point is made of may hold anything.
+fn square(radii: &mut [f64], points: &Points) -> Result<(), Error> {
+    for (row, (radius, &vertex)) in radii.iter_mut().zip(points.vertex_of_row()).enumerate() {
+        if *radius < 0.0 && vertex != NONE {
+            let message = format!("a radius must not be negative, and this one is {radius}");
+            let error = Error::new(Status::InvalidArgument, message);
+            return Err(error.at(ElementKind::Row, row as u64));
+        }
+        *radius *= *radius;
+    }
+    Ok(())
 }
