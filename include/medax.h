@@ -2908,7 +2908,8 @@ typedef struct {
      */
     double density;
     /**
-     * The standard deviation of Gaussian noise along the normal, in input units; 0 by default.
+     * The standard deviation of Gaussian noise along the normal, in input units; 0 by default, and at
+     * most a million times the diagonal of the surface's bounding box.
      */
     double noise;
     /**
@@ -2960,8 +2961,8 @@ MEDAX_API medax_status medax_sample_options_init(medax_sample_options *options, 
  * \param job NULL for a default job.
  * \param out_samples Receives the samples, which the caller frees with #medax_samples_free.
  * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for a number that is no shape, an option that is
- *         negative or not finite, or both a spacing and a density; `LIMIT_EXCEEDED` past 2^27
- *         samples; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *         negative or not finite, both a spacing and a density, or more noise than is allowed;
+ *         `LIMIT_EXCEEDED` past 2^27 samples; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
  *
  * About 100 evaluations of the shape for each of 64 candidates a square of the spacing. Since 0.1.
  */
@@ -2979,7 +2980,7 @@ medax_status medax_samples_build(uint32_t shape,
  * \param job NULL for a default job.
  * \param out_samples Receives the samples, which the caller frees with #medax_samples_free.
  * \return As #medax_samples_build; also `DEGENERATE` if no face has an area, `COORDINATE_RANGE` if
- *         the area overflows.
+ *         the area or the diagonal overflows.
  *
  * O(log triangles) for each of 64 candidates a square of the spacing. Since 0.1.
  */

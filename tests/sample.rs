@@ -523,6 +523,36 @@ fn bad_options_are_refused() {
 }
 
 #[test]
+fn noise_that_drowns_the_shape_is_refused() {
+    let noisy = |noise| SampleOptions { noise, ..Default::default() };
+    let diagonal = 7.25f64.sqrt();
+    let mut faces = Rows::default();
+    faces.push(&[0, 1, 2]).unwrap();
+    let vertices = vec![[0.0; 3], [1e60, 0.0, 0.0], [0.0, 1e60, 0.0]];
+    let mesh = Complex::new(ComplexParts { vertices, faces, ..Default::default() }).unwrap();
+    let job = Job::default();
+    let of_shape = |noise| sample(Shape::Box, noisy(noise), &job);
+    let of_mesh = |noise| sample_mesh(&mesh, noisy(noise), &job);
+    for refused in [1.001e6 * diagonal, 1e100, f64::MAX] {
+        for taken in [of_shape(refused), of_mesh(refused * 1e60)] {
+            let error = taken.map(|_| "samples").unwrap_err();
+            assert_eq!(error.status(), Status::InvalidArgument, "{error}");
+            assert!(error.message().starts_with("the noise must "), "{error}");
+        }
+    }
+    for samples in [of_shape(0.999e6 * diagonal).unwrap(), of_mesh(1.4e66).unwrap()] {
+        assert!(samples.points().as_flattened().iter().all(|x| x.is_finite()));
+    }
+    // A diagonal that overflows bounds nothing, though the area is sound: the long triangle has none.
+    let vertices = [mesh.vertices(), &[[1e300, 0.0, 0.0], [2e300, 0.0, 0.0]]].concat();
+    let mut faces = mesh.faces().clone();
+    faces.push(&[0, 3, 4]).unwrap();
+    let mesh = Complex::new(ComplexParts { vertices, faces, ..Default::default() }).unwrap();
+    let error = sample_mesh(&mesh, noisy(1e305), &job).map(|_| "samples").unwrap_err();
+    assert_eq!(error.status(), Status::CoordinateRange);
+}
+
+#[test]
 fn a_job_can_stop_it_and_cap_it() {
     let job = Job::new(JobOptions {
         progress: Some(Box::new(|progress, stage| {

@@ -142,7 +142,8 @@ pub struct medax_sample_options {
     /// Instead of the spacing: about how many samples a unit of area gets. 0, the default: the
     /// spacing says it.
     pub density: f64,
-    /// The standard deviation of Gaussian noise along the normal, in input units; 0 by default.
+    /// The standard deviation of Gaussian noise along the normal, in input units; 0 by default, and at
+    /// most a million times the diagonal of the surface's bounding box.
     pub noise: f64,
     /// Which of the many samples, 0 by default: the same seed gives the same points.
     pub seed: u64,
@@ -185,8 +186,8 @@ pub unsafe extern "C" fn medax_sample_options_init(
 /// \param job NULL for a default job.
 /// \param out_samples Receives the samples, which the caller frees with #medax_samples_free.
 /// \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for a number that is no shape, an option that is
-///         negative or not finite, or both a spacing and a density; `LIMIT_EXCEEDED` past 2^27
-///         samples; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+///         negative or not finite, both a spacing and a density, or more noise than is allowed;
+///         `LIMIT_EXCEEDED` past 2^27 samples; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
 ///
 /// About 100 evaluations of the shape for each of 64 candidates a square of the spacing. Since 0.1.
 #[unsafe(no_mangle)]
@@ -214,7 +215,7 @@ pub unsafe extern "C" fn medax_samples_build(
 /// \param job NULL for a default job.
 /// \param out_samples Receives the samples, which the caller frees with #medax_samples_free.
 /// \return As #medax_samples_build; also `DEGENERATE` if no face has an area, `COORDINATE_RANGE` if
-///         the area overflows.
+///         the area or the diagonal overflows.
 ///
 /// O(log triangles) for each of 64 candidates a square of the spacing. Since 0.1.
 #[unsafe(no_mangle)]

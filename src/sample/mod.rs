@@ -36,6 +36,9 @@ pub const CANDIDATES: f64 = 64.0;
 /// How many samples such a square keeps: what random packing of discs reaches with
 /// [`CANDIDATES`] candidates, a little less than its limit 0.547 * 4 / pi = 0.696 (Feder 1980).
 const KEPT: f64 = 0.65;
+/// How many diagonals of the bounding box the noise may have: far more than leaves anything of a shape, and
+/// too few to overflow.
+const NOISE_LIMIT: f64 = 1e6;
 /// How many throws there are between two reports of progress.
 const BATCH: usize = 256;
 
@@ -48,7 +51,8 @@ pub struct SampleOptions {
     /// Instead of the spacing: about how many samples a unit of area shall get. 0 means that the
     /// spacing says it.
     pub density: f64,
-    /// The standard deviation of Gaussian noise along the normal, in input units.
+    /// The standard deviation of Gaussian noise along the normal, in input units; at most a million times
+    /// the diagonal of the surface's bounding box.
     pub noise: f64,
     /// Which of the many samples: the same seed gives the same points.
     pub seed: u64,
@@ -98,8 +102,8 @@ impl Samples {
 
 /// Samples a built-in shape.
 ///
-/// Errors: [`Status::InvalidArgument`] for an option that is negative or not finite, or both
-/// a spacing and a density; [`Status::LimitExceeded`] if there would be more than 2^27 samples.
+/// Errors: [`Status::InvalidArgument`] for an option that is negative or not finite, both
+/// a spacing and a density, or more noise than is allowed; [`Status::LimitExceeded`] if there would be more than 2^27 samples.
 /// Cost: about 100 evaluations of the implicit function for every candidate.
 pub fn sample(shape: Shape, options: SampleOptions, job: &Job) -> Result<Samples> {
     job.run(&[(Stage::Sample, 1.0)], |run| sample_in(shape, options, run))
@@ -107,17 +111,18 @@ pub fn sample(shape: Shape, options: SampleOptions, job: &Job) -> Result<Samples
 
 /// [`sample`] as a stage of a larger build.
 pub(crate) fn sample_in(shape: Shape, options: SampleOptions, run: &Run<'_>) -> Result<Samples> {
-    let spacing = options.spacing_or(shape.spacing())?;
+    let bounds = shape.bounds();
+    let spacing = options.spacing_or(shape.spacing(), bounds.diagonal())?;
     match shape {
-        Shape::Trefoil => take(&Tube, spacing, shape.bounds().min, options, run),
-        _ => take(&Lines::new(shape), spacing, shape.bounds().min, options, run),
+        Shape::Trefoil => take(&Tube, spacing, bounds.min, options, run),
+        _ => take(&Lines::new(shape), spacing, bounds.min, options, run),
     }
 }
 
 /// Samples the faces of a mesh, each point of a triangle with the triangle's normal.
 ///
 /// Errors: as [`sample`]; [`Status::Degenerate`] if no triangle has an area,
-/// [`Status::CoordinateRange`] if the area overflows. Cost: O(log triangles) for every candidate.
+/// [`Status::CoordinateRange`] if the area or the diagonal overflows. Cost: O(log triangles) for every candidate.
 pub fn sample_mesh(mesh: &Complex, options: SampleOptions, job: &Job) -> Result<Samples> {
     job.run(&[(Stage::Sample, 1.0)], |run| sample_mesh_in(mesh, options, run))
 }
@@ -131,13 +136,16 @@ pub(crate) fn sample_mesh_in(
     let triangles = Triangles::new(mesh)?;
     let bounds = Bounds::of(mesh.vertices().iter().copied());
     let (origin, diagonal) = bounds.map_or(([0.0; 3], 0.0), |b| (b.min, b.diagonal()));
-    let spacing = options.spacing_or(diagonal / 100.0)?;
+    if !diagonal.is_finite() {
+        return Err(triangles::too_large());
+    }
+    let spacing = options.spacing_or(diagonal / 100.0, diagonal)?;
     take(&triangles, spacing, origin, options, run)
 }
 
 impl SampleOptions {
-    /// The spacing that the options ask for.
-    fn spacing_or(&self, default: f64) -> Result<f64> {
+    /// Checks the options for a surface of this diagonal, and gives the spacing that they ask for.
+    fn spacing_or(&self, default: f64, diagonal: f64) -> Result<f64> {
         let named = [("spacing", self.spacing), ("density", self.density), ("noise", self.noise)];
         for (name, value) in named {
             if !value.is_finite() || value < 0.0 {
@@ -146,6 +154,15 @@ impl SampleOptions {
                     format!("the {name} must be 0 or a positive number, not {value}"),
                 ));
             }
+        }
+        if self.noise > NOISE_LIMIT * diagonal {
+            return Err(Error::new(
+                Status::InvalidArgument,
+                format!(
+                    "the noise must be at most a million times the diagonal, {diagonal}, not {:?}",
+                    self.noise
+                ),
+            ));
         }
         match (self.spacing > 0.0, self.density > 0.0) {
             (true, true) => {

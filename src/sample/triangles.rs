@@ -24,7 +24,7 @@ impl<'a> Triangles<'a> {
             triangles.area_up_to.push(total);
         }
         if !total.is_finite() {
-            return Err(Error::new(Status::CoordinateRange, "the mesh is too large; rescale it"));
+            return Err(too_large());
         }
         if total == 0.0 {
             let message = "the mesh has no triangle with an area, so it has no points to sample";
@@ -42,6 +42,11 @@ impl<'a> Triangles<'a> {
     fn area(&self) -> f64 {
         self.area_up_to.last().copied().unwrap_or(0.0)
     }
+}
+
+/// The error for lengths or areas that overflow.
+pub(super) fn too_large() -> Error {
+    Error::new(Status::CoordinateRange, "the mesh is too large; rescale it")
 }
 
 impl Source for Triangles<'_> {
