@@ -243,6 +243,19 @@ fn sampling_options_reach_the_library() {
 }
 
 #[test]
+fn a_spacing_that_leaves_hardly_a_sample_is_warned_of() {
+    let place = Place::new();
+    let warnings = |arguments: &str| place.json(arguments)["warnings"].as_array().unwrap().clone();
+    let [warning] = &warnings("sample torus --spacing 1000")[..] else { panic!("no warning") };
+    let warning = warning.as_str().unwrap();
+    assert!(warning.contains("1 sample") && warning.contains("spacing"), "{warning}");
+    assert_eq!(warnings("sample torus --density 0.1").len(), 1);
+    assert!(warnings("sample torus --spacing 0.5").is_empty());
+    let plain = place.run("sample torus --spacing 1000");
+    assert!(crate::text(&plain.stderr).contains(warning));
+}
+
+#[test]
 fn threads_and_memory_are_the_jobs() {
     let place = Place::new();
     let report = place.json("sample sphere --threads 3 --memory-mib 64");

@@ -31,6 +31,9 @@ pub struct Options {
     seed: u64,
 }
 
+/// Fewer samples span no solid.
+const FEWEST: usize = 4;
+
 pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> {
     options.output.check(&[])?;
     let positive = |name: &str, value: Option<f64>| match value {
@@ -54,6 +57,14 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
             (samples, Input::of_complex(&options.input, &mesh))
         }
     };
+    let count = samples.points().len();
+    if count < FEWEST {
+        let noun = if count == 1 { "sample" } else { "samples" };
+        let spacing = samples.spacing();
+        session.warn(&format!(
+            "a spacing of {spacing:?} leaves {count} {noun}: too few to tell anything of the shape"
+        ));
+    }
     let points = samples.to_complex()?;
     let mut parameters = Map::new();
     parameters.insert("spacing".into(), json!(samples.spacing()));
