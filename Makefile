@@ -4,6 +4,8 @@ BUILD := $(CURDIR)/build
 # The package that the tests use: installed in one place, then moved to another.
 STAGED := $(BUILD)/staged
 MOVED := $(BUILD)/moved
+# The library that counts what settles its predicates, and the test of these counts.
+COUNTED := --features count-stages --test predicates
 CONFIGURE := cmake -S . -B $(BUILD)/medax
 
 .PHONY: help demo test test-rust test-package bench header doc install clean
@@ -33,8 +35,10 @@ test-rust:
 	cargo fmt --check
 	cargo clippy --locked --all-targets -- -D warnings
 	cargo clippy --locked --all-targets --no-default-features -- -D warnings
+	cargo clippy --locked $(COUNTED) -- -D warnings
 	RUSTDOCFLAGS='-D warnings' cargo doc --locked --no-deps
 	cargo test --locked
+	cargo test --locked $(COUNTED) stages
 
 # C, C++ against CGAL and OpenMesh, and consumers, all through an installed package that was moved.
 test-package:
