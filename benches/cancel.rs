@@ -1,7 +1,7 @@
 //! How soon long operations answer a cancel: `cargo bench --bench cancel`, or with `-- 1000000` for another
 //! size.
 //!
-//! Each operation is cancelled at forty moments of its run; the table gives the longest time from the
+//! Each operation is cancelled at twenty moments of its run; the table gives the longest time from the
 //! cancel to the return, and what the operation was doing then. The conventions promise 50 ms.
 
 use medax::complex::compare;
@@ -15,7 +15,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 /// At how many moments an operation is cancelled.
-const MOMENTS: u32 = 4;
+const MOMENTS: u32 = 20;
 
 /// Cancels the operation all along its run, and prints the slowest answer.
 fn measure(name: &str, operation: impl Fn(&Job) -> Result<()> + Sync) {
@@ -48,15 +48,22 @@ fn measure(name: &str, operation: impl Fn(&Job) -> Result<()> + Sync) {
     );
 }
 
-/// Points of a torus, as a golden spiral of its two angles.
-fn torus(count: usize) -> Vec<[f64; 3]> {
-    let turn = |i: usize, step: f64| std::f64::consts::TAU * (i as f64 * step).fract();
-    let point = |i| {
-        let (u, v) = (turn(i, 0.618_033_988_749_894_9), turn(i, 1.0 / count as f64));
-        let ring = 1.0 + 0.4 * v.cos();
-        [ring * u.cos(), ring * u.sin(), 0.4 * v.sin()]
+/// Random points of an ellipsoid, by a generator that is good enough for this (Marsaglia 2003,
+/// *Xorshift RNGs*).
+fn ellipsoid(count: usize) -> Vec<[f64; 3]> {
+    let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+    let mut unit = || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as f64 / (1u64 << 53) as f64
     };
-    (0..count).map(point).collect()
+    let mut point = |_| {
+        let (z, turn) = (2.0 * unit() - 1.0, std::f64::consts::TAU * unit());
+        let ring = (1.0 - z * z).sqrt();
+        [ring * turn.cos(), 0.7 * ring * turn.sin(), 0.4 * z]
+    };
+    (0..count).map(&mut point).collect()
 }
 
 fn main() {
@@ -64,7 +71,7 @@ fn main() {
     let size = std::env::args().filter_map(|argument| argument.parse().ok()).next();
     let count: usize = size.unwrap_or(200_000);
     let free = Job::default();
-    let rows = &torus(count)[..];
+    let rows = &ellipsoid(count)[..];
     let points =
         Arc::new(Points::new(rows.iter().copied(), PointsOptions::default(), &free).unwrap());
     let triangulation = Arc::new(Triangulation::delaunay(&points, &free).unwrap());

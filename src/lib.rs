@@ -25,6 +25,7 @@ pub mod points;
 pub mod poles;
 pub mod predicates;
 pub mod sample;
+mod sort;
 pub mod triangulation;
 mod validation;
 mod vector;

@@ -22,6 +22,7 @@ pub use rows::Rows;
 pub use topology::Topology;
 
 use crate::error::{ElementKind, Error, Result, Status};
+use crate::job::{Job, Room, Run};
 use validate::{cell_problem, edge_problem, face_problem, vertex_problem};
 
 /// A position in space.
@@ -85,6 +86,11 @@ impl Complex {
     /// vertex, face, edge or cell, [`Status::Mismatch`] where arrays differ in length,
     /// [`Status::LimitExceeded`] past 2^32 - 2 elements.
     pub fn new(parts: ComplexParts) -> Result<Self> {
+        Job::default().run(&[], |run| Complex::new_in(parts, run))
+    }
+
+    /// [`Complex::new`] as a part of a larger operation.
+    pub(crate) fn new_in(parts: ComplexParts, run: &Run<'_>) -> Result<Self> {
         let ComplexParts { dimension, vertices, faces, edges, cells, cell_types, attributes } =
             parts;
         let limit = u32::MAX as usize;
@@ -105,16 +111,20 @@ impl Complex {
             None => Ok(()),
         };
         let count = vertices.len();
-        for (i, p) in vertices.iter().enumerate() {
+        for vertex in run.watch(vertices.iter().enumerate()) {
+            let (i, p) = vertex?;
             refuse(ElementKind::Vertex, i, vertex_problem(p, dimension))?;
         }
-        for (i, face) in faces.iter().enumerate() {
+        for face in run.watch(faces.iter().enumerate()) {
+            let (i, face) = face?;
             refuse(ElementKind::Face, i, face_problem(face, count))?;
         }
-        for (i, &edge) in edges.iter().enumerate() {
+        for edge in run.watch(edges.iter().enumerate()) {
+            let (i, &edge) = edge?;
             refuse(ElementKind::Edge, i, edge_problem(edge, count))?;
         }
-        for (i, (cell, &kind)) in cells.iter().zip(&cell_types).enumerate() {
+        for cell in run.watch(cells.iter().zip(&cell_types).enumerate()) {
+            let (i, (cell, &kind)) = cell?;
             refuse(ElementKind::Cell, i, cell_problem(cell, kind, count))?;
         }
         let mut complex = Complex {
@@ -139,7 +149,7 @@ impl Complex {
             }
         }
         complex.attributes = attributes;
-        (complex.triangles, complex.face_of_triangle) = fans(&complex.faces);
+        (complex.triangles, complex.face_of_triangle) = fans(&complex.faces, run)?;
         Ok(complex)
     }
 
@@ -205,14 +215,16 @@ impl Complex {
 }
 
 /// The triangles of every face, and the face of each.
-fn fans(faces: &Rows) -> (Vec<[u32; 3]>, Vec<u32>) {
+fn fans(faces: &Rows, run: &Run<'_>) -> Result<(Vec<[u32; 3]>, Vec<u32>)> {
     let count = faces.indices().len() - 2 * faces.len();
-    let (mut triangles, mut face_of) = (Vec::with_capacity(count), Vec::with_capacity(count));
-    for (i, face) in faces.iter().enumerate() {
+    let mut room = Room::new(run);
+    let (mut triangles, mut face_of) = (room.vec(count)?, room.vec(count)?);
+    for face in run.watch(faces.iter().enumerate()) {
+        let (i, face) = face?;
         triangles.extend(fan(face));
         face_of.extend(std::iter::repeat_n(i as u32, face.len() - 2));
     }
-    (triangles, face_of)
+    Ok((triangles, face_of))
 }
 
 /// The triangles of a fan from the first vertex of a face.

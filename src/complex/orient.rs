@@ -37,7 +37,8 @@ impl Complex {
     pub(crate) fn oriented_in(&self, run: &Run<'_>) -> Result<Complex> {
         run.enter(Stage::Topology)?;
         let sides = self.faces.indices().len() + 12 * self.cells.len();
-        let _charge = run.charge(64 * sides as u64 + 16 * self.vertices.len() as u64)?;
+        // The skeleton, the patches, the shells' triangles, and the complex that is returned. Measured.
+        let _charge = run.charge(160 * sides as u64 + 64 * self.vertices.len() as u64)?;
         let skeleton = Skeleton::new(self, run)?;
         let turned = turned_faces(self, &skeleton, run)?;
         let mut complex = self.clone();
@@ -57,7 +58,7 @@ impl Complex {
             faces.push(&ring)?;
         }
         complex.faces = faces;
-        complex.triangles = fans(&complex.faces).0;
+        complex.triangles = fans(&complex.faces, run)?.0;
         Ok(complex)
     }
 }
@@ -74,8 +75,8 @@ fn turned_faces(complex: &Complex, skeleton: &Skeleton, run: &Run<'_>) -> Result
     let faces = skeleton.listed;
     // By least face: how many faces agree with it less those that do not.
     let mut majority = filled(faces, 0i64, run)?;
-    for f in 0..faces as u32 {
-        let (patch, against) = patches.of(f);
+    for f in run.watch(0..faces as u32) {
+        let (patch, against) = patches.of(f?);
         majority[patch as usize] += if against { -1 } else { 1 };
     }
     let mut turn: Vec<bool> = run.try_vec(faces)?;
@@ -117,6 +118,7 @@ impl Shells {
         run: &Run<'_>,
     ) -> Result<Self> {
         let closed = closed_patches(skeleton, patches, run)?;
+        run.poll()?;
         let least_faces: Vec<u32> =
             (0..skeleton.listed as u32).filter(|&f| closed[f as usize]).collect();
         let mut number = filled(skeleton.listed, NONE, run)?;
@@ -126,6 +128,7 @@ impl Shells {
         let mut shell_of_face: Vec<u32> = run.try_vec(skeleton.listed)?;
         shell_of_face.extend((0..skeleton.listed as u32).map(|f| number[patches.of(f).0 as usize]));
 
+        run.poll()?;
         let bounds = Bounds::of(complex.vertices.iter().copied());
         let frame = Frame::new(&bounds.unwrap_or(Bounds { min: [0.0; 3], max: [0.0; 3] }));
         let mut positions: Vec<Point> = run.try_vec(complex.vertices.len())?;
@@ -225,7 +228,8 @@ fn turn_round(q: &Point, corners: &[Point; 3]) -> Sign {
 /// Whether each patch, by its least face, can be oriented and is closed by itself.
 fn closed_patches(skeleton: &Skeleton, patches: &mut Patches, run: &Run<'_>) -> Result<Vec<bool>> {
     let mut closed: Vec<bool> = run.try_vec(skeleton.listed)?;
-    for f in 0..skeleton.listed as u32 {
+    for f in run.watch(0..skeleton.listed as u32) {
+        let f = f?;
         closed.push(patches.of(f).0 == f && patches.orientable(f));
     }
     let mut at: Vec<(u32, i32)> = Vec::new();

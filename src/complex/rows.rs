@@ -1,6 +1,7 @@
 //! Rows of varying length.
 
 use crate::error::{Error, Result, Status};
+use crate::job::Room;
 
 /// Rows of varying length in two flat arrays: row `i` is `indices[offsets[i]..offsets[i + 1]]`.
 ///
@@ -39,6 +40,13 @@ impl Rows {
         self.indices.extend_from_slice(row);
         self.offsets.push(end);
         Ok(())
+    }
+
+    /// [`Rows::push`] within the memory of a build.
+    pub(crate) fn push_in(&mut self, row: &[u32], room: &mut Room<'_>) -> Result<()> {
+        room.grow(&mut self.indices, row.len())?;
+        room.grow(&mut self.offsets, 1)?;
+        self.push(row)
     }
 
     /// The number of rows.

@@ -160,7 +160,8 @@ impl Skeleton {
         run.tick(2, 4)?;
 
         let mut face_of_side = run.try_vec(faces.vertices.len())?;
-        for f in 0..faces.len() {
+        for f in run.watch(0..faces.len()) {
+            let f = f?;
             face_of_side.extend(std::iter::repeat_n(f as u32, faces.get(f).len()));
         }
         let (edges, edge_of_side) = number_edges(complex, &faces, run)?;
@@ -346,7 +347,8 @@ fn distinct_cells(
     let first = first_equal(&all, faces, run)?;
     let mut cells = Rings::with_capacity(all.len(), all.vertices.len(), run)?;
     let mut owner: Vec<u32> = run.try_vec(all.vertices.len())?;
-    for c in (0..all.len()).filter(|&c| first[c] as usize == c) {
+    for c in run.watch((0..all.len()).filter(|&c| first[c] as usize == c)) {
+        let c = c?;
         owner.extend(std::iter::repeat_n(cells.len() as u32, all.get(c).len()));
         cells.push(all.get(c).iter().copied());
     }
@@ -364,8 +366,8 @@ fn number_edges(
     // Pairs of ends: those of the sides, then those of the loose edges.
     let sides = faces.vertices.len();
     let mut pairs: Vec<[u32; 2]> = run.try_vec(sides + complex.edges.len())?;
-    for f in 0..faces.len() {
-        let ring = faces.get(f);
+    for f in run.watch(0..faces.len()) {
+        let ring = faces.get(f?);
         pairs.extend((0..ring.len()).map(|k| sorted(ring[k], ring[(k + 1) % ring.len()])));
     }
     pairs.extend(complex.edges.iter().map(|edge| sorted(edge[0], edge[1])));

@@ -33,8 +33,11 @@ impl Surface {
             nonmanifold_vertices: 0,
             even: true,
             oriented: true,
-            orientable: (0..skeleton.listed as u32).all(|f| patches.orientable(f)),
+            orientable: true,
         };
+        for f in run.watch(0..skeleton.listed as u32) {
+            surface.orientable &= patches.orientable(f?);
+        }
         let mut fans = Fans::new(skeleton, run)?;
         let mut broken = filled(skeleton.vertex_count, false, run)?;
         for (e, &[v, w]) in skeleton.edges.iter().enumerate() {
@@ -52,7 +55,7 @@ impl Surface {
                 broken[w as usize] = true;
             }
         }
-        fans.mark_pinched(skeleton, &mut broken);
+        fans.mark_pinched(skeleton, &mut broken, run)?;
         surface.nonmanifold_vertices = broken.iter().filter(|&&b| b).count() as u64;
         surface.boundary_loops = fans.count_loops(skeleton, run)?;
         Ok(surface)
@@ -128,9 +131,15 @@ impl Fans {
     }
 
     /// Marks the vertices that are in more than one fan.
-    fn mark_pinched(&mut self, skeleton: &Skeleton, broken: &mut [bool]) {
-        let mut seen = vec![false; skeleton.vertex_count];
-        for e in 0..skeleton.edges.len() {
+    fn mark_pinched(
+        &mut self,
+        skeleton: &Skeleton,
+        broken: &mut [bool],
+        run: &Run<'_>,
+    ) -> Result<()> {
+        let mut seen = filled(skeleton.vertex_count, false, run)?;
+        for e in run.watch(0..skeleton.edges.len()) {
+            let e = e?;
             if skeleton.listed_sides_of_edge(e).is_empty() {
                 continue;
             }
@@ -142,6 +151,7 @@ impl Fans {
                 }
             }
         }
+        Ok(())
     }
 
     /// The number of boundary curves: boundary edges are joined where one fan has both.
@@ -150,7 +160,8 @@ impl Fans {
         // For each fan, under its root, a boundary edge that begins or ends it.
         let mut edge_of_fan = filled(2 * skeleton.edges.len(), u32::MAX, run)?;
         let mut loops = 0;
-        for e in 0..skeleton.edges.len() as u32 {
+        for e in run.watch(0..skeleton.edges.len() as u32) {
+            let e = e?;
             if skeleton.listed_sides_of_edge(e as usize).len() != 1 {
                 continue;
             }

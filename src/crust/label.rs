@@ -5,7 +5,7 @@ use super::PowerCrustOptions;
 use crate::complex::Rows;
 use crate::error::Result;
 use crate::index::NONE;
-use crate::job::{Run, Stage};
+use crate::job::{Room, Run, Stage};
 use crate::poles::Poles;
 use crate::triangulation::{Edges, Triangulation};
 use std::cmp::Ordering;
@@ -50,20 +50,26 @@ struct Links {
 
 impl Links {
     /// The links of every pole, given each link once with its two ends.
-    fn new(count: usize, links: &[(u32, u32, f64)], run: &Run<'_>) -> Result<Self> {
-        let mut offsets: Vec<u32> = run.try_vec(count + 1)?;
-        offsets.resize(count + 1, 0);
-        for &(p, q, _) in links {
+    fn new(
+        count: usize,
+        links: &[(u32, u32, f64)],
+        room: &mut Room<'_>,
+        run: &Run<'_>,
+    ) -> Result<Self> {
+        let mut offsets = room.filled(count + 1, 0u32)?;
+        for link in run.watch(links) {
+            let &(p, q, _) = link?;
             offsets[p as usize + 1] += 1;
             offsets[q as usize + 1] += 1;
         }
         for p in 0..count {
             offsets[p + 1] += offsets[p];
         }
-        let mut next = offsets.clone();
-        let mut others = vec![0; 2 * links.len()];
-        let mut weights = vec![0.0; 2 * links.len()];
-        for &(p, q, weight) in links {
+        let mut next = room.collect(offsets.iter().copied())?;
+        let mut others = room.filled(2 * links.len(), 0)?;
+        let mut weights = room.filled(2 * links.len(), 0.0)?;
+        for link in run.watch(links) {
+            let &(p, q, weight) = link?;
             for (from, to) in [(p, q), (q, p)] {
                 let slot = &mut next[from as usize];
                 others[*slot as usize] = to;
@@ -141,19 +147,25 @@ pub(super) fn label_poles(
 ) -> Result<Labelling> {
     run.enter(Stage::Label)?;
     let count = poles.len();
-    let opposite = Links::new(count, &sample_links(poles), run)?;
+    let mut room = Room::new(run);
+    let links = sample_links(poles, &mut room, run)?;
+    let opposite = Links::new(count, &links, &mut room, run)?;
     run.tick(1, 8)?;
-    let same = Links::new(count, &deep_links(poles, regular, edges, options.deep), run)?;
+    let links = deep_links(poles, regular, edges, options.deep, &mut room, run)?;
+    let same = Links::new(count, &links, &mut room, run)?;
+    drop(links);
     run.tick(2, 8)?;
-    let mut beliefs = vec![Belief::default(); count];
-    let mut labels: Vec<Option<Label>> = vec![None; count];
-    let mut queue = BinaryHeap::new();
-    for pole in 0..count as u32 {
+    let mut beliefs = room.filled(count, Belief::default())?;
+    let mut labels: Vec<Option<Label>> = room.filled(count, None)?;
+    let mut waiting = Vec::new();
+    for pole in run.watch(0..count as u32) {
+        let pole = pole?;
         if poles.touches_far_box()[pole as usize] {
             beliefs[pole as usize].outer = 1.0;
-            queue.push(Waiting { priority: 1.0, pole });
+            room.push(&mut waiting, Waiting { priority: 1.0, pole })?;
         }
     }
+    let mut queue = BinaryHeap::from(waiting);
     let mut done = 0;
     while let Some(Waiting { priority, pole }) = queue.pop() {
         let p = pole as usize;
@@ -165,6 +177,13 @@ pub(super) fn label_poles(
             run.tick(count / 4 + done * 3 / 4, count)?;
         }
         done += 1;
+        // Each link pushes once at most.
+        let links = opposite.rows.row(p).len() + same.rows.row(p).len();
+        if queue.capacity() - queue.len() < links {
+            let mut waiting = queue.into_vec();
+            room.grow(&mut waiting, links)?;
+            queue = BinaryHeap::from(waiting);
+        }
         let label = if beliefs[p].inner > beliefs[p].outer { Label::Inner } else { Label::Outer };
         let strength = *beliefs[p].side(label);
         labels[p] = Some(label);
@@ -182,10 +201,10 @@ pub(super) fn label_poles(
         same.of(pole).for_each(|(q, weight)| propagate(q, label, weight));
     }
     let unreached = labels.iter().filter(|label| label.is_none()).count();
-    let mut labels: Vec<Label> =
-        labels.into_iter().map(|label| label.unwrap_or(Label::Outer)).collect();
+    let labelled = labels.into_iter().map(|label| label.unwrap_or(Label::Outer));
+    let mut labels: Vec<Label> = room.collect(labelled)?;
     let mut forced = 0;
-    for pole in unbounded_poles(regular) {
+    for pole in unbounded_poles(regular, &mut room, run)? {
         if labels[pole as usize] == Label::Inner {
             labels[pole as usize] = Label::Outer;
             forced += 1;
@@ -195,22 +214,25 @@ pub(super) fn label_poles(
 }
 
 /// The two poles of each sample, with the weight -cos of the angle between them at the sample.
-fn sample_links(poles: &Poles) -> Vec<(u32, u32, f64)> {
+fn sample_links(poles: &Poles, room: &mut Room<'_>, run: &Run<'_>) -> Result<Vec<(u32, u32, f64)>> {
     let coords = poles.triangulation().coords();
-    let link = |(sample, &[p, q]): (usize, &[u32; 2])| {
+    let mut links = room.vec(poles.sample_count())?;
+    for pair in run.watch(poles.pole_of_sample().iter().zip(coords)) {
+        let (&[p, q], sample) = pair?;
         if p == NONE || q == NONE || p == q {
-            return None;
+            continue;
         }
-        let centre = |pole: u32| &poles.balls()[pole as usize];
         let to = |pole: u32| -> [f64; 3] {
-            std::array::from_fn(|k| centre(pole)[k] - coords[sample][k])
+            std::array::from_fn(|k| poles.balls()[pole as usize][k] - sample[k])
         };
         let (u, v) = (to(p), to(q));
         let cosine = dot(u, v) / (dot(u, u) * dot(v, v)).sqrt();
         // The poles of a sample lie on different sides: the cosine is negative but for rounding.
-        (cosine < 0.0).then(|| (p, q, (-cosine).min(1.0)))
-    };
-    poles.pole_of_sample().iter().enumerate().filter_map(link).collect()
+        if cosine < 0.0 {
+            links.push((p, q, (-cosine).min(1.0)));
+        }
+    }
+    Ok(links)
 }
 
 /// The neighbours in the power diagram whose balls intersect deeply.
@@ -222,14 +244,19 @@ fn deep_links(
     regular: &Triangulation,
     edges: &Edges,
     deep: f64,
-) -> Vec<(u32, u32, f64)> {
+    room: &mut Room<'_>,
+    run: &Run<'_>,
+) -> Result<Vec<(u32, u32, f64)>> {
     let pole_of_vertex = regular.row_of_vertex();
-    let link = |&[u, v]: &[u32; 2]| {
-        let (p, q) = (pole_of_vertex[u as usize], pole_of_vertex[v as usize]);
+    let mut links = Vec::new();
+    for ends in run.watch(&edges.ends) {
+        let [p, q] = ends?.map(|v| pole_of_vertex[v as usize]);
         let weight = same_side_weight(&poles.balls()[p as usize], &poles.balls()[q as usize]);
-        (weight > deep).then_some((p, q, weight))
-    };
-    edges.ends.iter().filter_map(link).collect()
+        if weight > deep {
+            room.push(&mut links, (p, q, weight))?;
+        }
+    }
+    Ok(links)
 }
 
 /// How deeply two balls intersect: -cos of the angle between them, 1 where one holds the other.
@@ -241,17 +268,25 @@ pub(super) fn same_side_weight(p: &[f64; 4], q: &[f64; 4]) -> f64 {
 
 /// The poles whose power cells are unbounded: those on the hull of the regular triangulation,
 /// each once, ascending by vertex.
-pub(super) fn unbounded_poles(regular: &Triangulation) -> Vec<u32> {
-    let mut on_hull = vec![false; regular.coords().len()];
-    for (cell, neighbors) in regular.cells().iter().zip(regular.neighbors()) {
+pub(super) fn unbounded_poles(
+    regular: &Triangulation,
+    room: &mut Room<'_>,
+    run: &Run<'_>,
+) -> Result<Vec<u32>> {
+    let mut on_hull = room.filled(regular.coords().len(), false)?;
+    for cell in run.watch(regular.cells().iter().zip(regular.neighbors())) {
+        let (cell, neighbors) = cell?;
         for slot in (0..4).filter(|&slot| neighbors[slot] == NONE) {
             for other in (0..4).filter(|&other| other != slot) {
                 on_hull[cell[other] as usize] = true;
             }
         }
     }
-    let pole_of_vertex = regular.row_of_vertex();
-    (0..on_hull.len()).filter(|&v| on_hull[v]).map(|v| pole_of_vertex[v]).collect()
+    let mut poles = Vec::new();
+    for vertex in (0..on_hull.len()).filter(|&v| on_hull[v]) {
+        room.push(&mut poles, regular.row_of_vertex()[vertex])?;
+    }
+    Ok(poles)
 }
 
 fn dot(u: [f64; 3], v: [f64; 3]) -> f64 {

@@ -5,7 +5,7 @@ use super::label::Label;
 use crate::complex::{Attribute, CellType, Complex, ComplexParts, Element, Values};
 use crate::error::Result;
 use crate::index::NONE;
-use crate::job::Run;
+use crate::job::{Room, Run};
 use crate::poles::Poles;
 use crate::triangulation::{Edges, Triangulation};
 
@@ -23,20 +23,22 @@ pub(super) fn extract(
     run: &Run<'_>,
 ) -> Result<Complex> {
     let pole_of_vertex = regular.row_of_vertex();
-    let mut on_side: Vec<bool> =
-        pole_of_vertex.iter().map(|&pole| labels[pole as usize] == side).collect();
+    let mut room = Room::new(run);
+    let mut on_side =
+        room.collect(pole_of_vertex.iter().map(|&pole| labels[pole as usize] == side))?;
     for &hidden in regular.hidden() {
         on_side[hidden as usize] = false;
     }
-    let mut number = vec![NONE; on_side.len()];
+    let mut number = room.filled(on_side.len(), NONE)?;
     let mut parts = ComplexParts::default();
     let (mut radii, mut pole_of) = (Vec::new(), Vec::new());
-    for vertex in (0..on_side.len()).filter(|&v| on_side[v]) {
+    for vertex in run.watch((0..on_side.len()).filter(|&v| on_side[v])) {
+        let vertex = vertex?;
         number[vertex] = pole_of.len() as u32;
         let pole = pole_of_vertex[vertex];
-        pole_of.push(pole);
-        radii.push(poles.balls()[pole as usize][3]);
-        parts.vertices.push(regular.coords()[vertex]);
+        room.push(&mut pole_of, pole)?;
+        room.push(&mut radii, poles.balls()[pole as usize][3])?;
+        room.push(&mut parts.vertices, regular.coords()[vertex])?;
     }
     for (id, (cell, neighbors)) in regular.cells().iter().zip(regular.neighbors()).enumerate() {
         if id % 4096 == 0 {
@@ -45,15 +47,15 @@ pub(super) fn extract(
         let inside = cell.map(|v| on_side[v as usize]);
         let numbers = cell.map(|v| number[v as usize]);
         if inside == [true; 4] {
-            parts.cells.push(&numbers)?;
-            parts.cell_types.push(CellType::Tetrahedron);
+            parts.cells.push_in(&numbers, &mut room)?;
+            room.push(&mut parts.cell_types, CellType::Tetrahedron)?;
         }
         for (slot, &neighbor) in neighbors.iter().enumerate() {
             // Each facet once: by the lesser of its cells.
             let first = neighbor == NONE || id < neighbor as usize;
             if first && (0..4).all(|i| i == slot || inside[i]) {
-                let corners: Vec<u32> = (0..4).filter(|&i| i != slot).map(|i| numbers[i]).collect();
-                parts.faces.push(&corners)?;
+                let corners = [0, 1, 2].map(|i| numbers[i + usize::from(i >= slot)]);
+                parts.faces.push_in(&corners, &mut room)?;
             }
         }
     }
@@ -70,12 +72,12 @@ pub(super) fn extract(
             regular.cells()[cell as usize].iter().all(|&v| v == a || v == b || !on_side[v as usize])
         });
         if is_loose {
-            parts.edges.push([number[a as usize], number[b as usize]]);
+            room.push(&mut parts.edges, [number[a as usize], number[b as usize]])?;
         }
     }
     parts.attributes = vec![
         Attribute::new("radius", Element::Vertex, 1, Values::F64(radii))?,
         Attribute::new("pole", Element::Vertex, 1, Values::U32(pole_of))?,
     ];
-    Complex::new(parts)
+    Complex::new_in(parts, run)
 }

@@ -5,7 +5,7 @@ use crate::complex::{Attribute, Complex, ComplexParts, Element, Rows, Values};
 use crate::dual::orthocenter;
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
-use crate::job::Run;
+use crate::job::{Room, Run};
 use crate::triangulation::{Edges, Triangulation};
 
 /// The oriented boundary between the inner and the outer cells of the power diagram.
@@ -26,9 +26,10 @@ pub(super) fn extract(
 ) -> Result<Complex> {
     let pole_of_vertex = regular.row_of_vertex();
     let label_of = |vertex: u32| labels[pole_of_vertex[vertex as usize] as usize];
+    let mut room = Room::new(run);
     let mut faces = Rows::default();
     let (mut inner_pole, mut outer_pole) = (Vec::new(), Vec::new());
-    let mut used = vec![false; regular.cells().len()];
+    let mut used = room.filled(regular.cells().len(), false)?;
     let mut ring = Vec::new();
     for (i, (&[a, b], &cell)) in edges.ends.iter().zip(&edges.cells).enumerate() {
         if i % 4096 == 0 {
@@ -46,35 +47,41 @@ pub(super) fn extract(
             ));
         }
         ring.iter().for_each(|&cell| used[cell as usize] = true);
-        faces.push(&ring)?;
-        inner_pole.push(pole_of_vertex[inner as usize]);
-        outer_pole.push(pole_of_vertex[outer as usize]);
+        faces.push_in(&ring, &mut room)?;
+        room.push(&mut inner_pole, pole_of_vertex[inner as usize])?;
+        room.push(&mut outer_pole, pole_of_vertex[outer as usize])?;
     }
-    let mut vertex_of_cell = vec![NONE; used.len()];
-    let mut cells = Vec::new();
+    let mut vertex_of_cell = room.filled(used.len(), NONE)?;
+    let mut cells: Vec<u32> = Vec::new();
     let mut vertices = Vec::new();
-    for cell in (0..used.len()).filter(|&cell| used[cell]) {
+    for cell in 0..used.len() {
         if cell % 1024 == 0 {
             run.tick(used.len() + cell, 2 * used.len())?;
         }
+        if !used[cell] {
+            continue;
+        }
         vertex_of_cell[cell] = cells.len() as u32;
-        cells.push(cell as u32);
+        room.push(&mut cells, cell as u32)?;
         let corners = regular.cells()[cell].map(|v| regular.site(v));
         let center =
             orthocenter(corners.map(|[x, y, z, _]| [x, y, z]), corners.map(|site| site[3]))
                 .ok_or_else(|| Error::new(Status::Internal, "a cell of a triangulation is flat"))?;
-        vertices.push(center.position);
+        room.push(&mut vertices, center.position)?;
     }
-    let indices = faces.indices().iter().map(|&cell| vertex_of_cell[cell as usize]).collect();
+    let indices =
+        room.collect(faces.indices().iter().map(|&cell| vertex_of_cell[cell as usize]))?;
+    let offsets = room.collect(faces.offsets().iter().copied())?;
     let pole = |name: &str, poles| Attribute::new(name, Element::Face, 1, Values::U32(poles));
-    Complex::new(ComplexParts {
+    let parts = ComplexParts {
         vertices,
-        faces: Rows::new(faces.offsets().to_vec(), indices)?,
+        faces: Rows::new(offsets, indices)?,
         attributes: vec![
             Attribute::new("cell", Element::Vertex, 1, Values::U32(cells))?,
             pole("inner_pole", inner_pole)?,
             pole("outer_pole", outer_pole)?,
         ],
         ..Default::default()
-    })
+    };
+    Complex::new_in(parts, run)
 }

@@ -4,7 +4,8 @@ use super::label::{label_poles, unbounded_poles};
 use super::{Label, PowerCrust};
 use crate::complex::{Complex, Element, Values};
 use crate::error::{ElementKind, Result};
-use crate::job::{Job, Run, Stage};
+use crate::job::{Job, Room, Run, Stage};
+use crate::sort::sort_by_key;
 use crate::triangulation::Edges;
 use crate::validation::Validation;
 
@@ -31,7 +32,7 @@ impl PowerCrust {
                 run.enter(Stage::Validate)?;
                 self.check_closed(&mut report, run)?;
                 self.check_faces(&mut report, &edges, run)?;
-                self.check_unbounded(&mut report);
+                self.check_unbounded(&mut report, run)?;
                 self.check_shape(&mut report, &self.inner_shape, Label::Inner, run)?;
                 self.check_shape(&mut report, &self.outer_shape, Label::Outer, run)?;
             }
@@ -53,21 +54,28 @@ impl PowerCrust {
 
     /// Each directed side of a face occurs once, and so does its reverse.
     fn check_closed(&self, report: &mut Validation, run: &Run<'_>) -> Result<()> {
-        let mut sides: Vec<(u32, u32, u32)> = Vec::new();
-        for (face, ring) in self.surface.faces().iter().enumerate() {
+        let mut room = Room::new(run);
+        let faces = self.surface.faces();
+        // Each side from its tail to its head, and its face.
+        let mut sides: Vec<(u64, u32)> = room.vec(faces.indices().len())?;
+        let directed = |from: u32, to: u32| u64::from(from) << 32 | u64::from(to);
+        for (face, ring) in faces.iter().enumerate() {
+            if face % 4096 == 0 {
+                run.tick(face, 4 * faces.len())?;
+            }
             for (i, &from) in ring.iter().enumerate() {
-                sides.push((from, ring[(i + 1) % ring.len()], face as u32));
+                sides.push((directed(from, ring[(i + 1) % ring.len()]), face as u32));
             }
         }
-        run.poll()?;
-        sides.sort_unstable();
-        for (i, &(from, to, face)) in sides.iter().enumerate() {
+        sort_by_key(&mut sides, |side| side.0, run)?;
+        for (i, &(side, face)) in sides.iter().enumerate() {
             if i % 4096 == 0 {
-                run.tick(i, 2 * sides.len())?;
+                run.tick(sides.len() + i, 4 * sides.len())?;
             }
-            let begin = sides.partition_point(|side| (side.0, side.1) < (to, from));
-            let reversed =
-                sides[begin..].iter().take_while(|side| (side.0, side.1) == (to, from)).count();
+            let [from, to] = [(side >> 32) as u32, side as u32];
+            let reverse = directed(to, from);
+            let begin = sides.partition_point(|side| side.0 < reverse);
+            let reversed = sides[begin..].iter().take_while(|side| side.0 == reverse).count();
             report.check(reversed == 1, ElementKind::Face, u64::from(face), || {
                 format!("{reversed} faces meet it along its side from vertex {from} to {to}")
             });
@@ -91,12 +99,14 @@ impl PowerCrust {
             return Ok(());
         };
         let vertex_of_pole = self.regular.points().vertex_of_row();
+        let mut room = Room::new(run);
         let mut separating = Vec::new();
-        for (&[a, b], &cell) in edges.ends.iter().zip(&edges.cells) {
-            let [p, q] = [a, b].map(|v| self.regular.row_of_vertex()[v as usize]);
+        for edge in run.watch(edges.ends.iter().zip(&edges.cells)) {
+            let (ends, &cell) = edge?;
+            let [p, q] = ends.map(|v| self.regular.row_of_vertex()[v as usize]);
             match (self.labels[p as usize], self.labels[q as usize]) {
-                (Label::Inner, Label::Outer) => separating.push((p, q, cell)),
-                (Label::Outer, Label::Inner) => separating.push((q, p, cell)),
+                (Label::Inner, Label::Outer) => room.push(&mut separating, (p, q, cell))?,
+                (Label::Outer, Label::Inner) => room.push(&mut separating, (q, p, cell))?,
                 _ => {}
             }
         }
@@ -121,13 +131,14 @@ impl PowerCrust {
         Ok(())
     }
 
-    fn check_unbounded(&self, report: &mut Validation) {
-        for pole in unbounded_poles(&self.regular) {
+    fn check_unbounded(&self, report: &mut Validation, run: &Run<'_>) -> Result<()> {
+        for pole in unbounded_poles(&self.regular, &mut Room::new(run), run)? {
             let outer = self.labels[pole as usize] == Label::Outer;
             report.check(outer, ElementKind::Vertex, u64::from(pole), || {
                 "an inner pole has an unbounded power cell".into()
             });
         }
+        Ok(())
     }
 
     /// The shape's vertices are the visible poles of its side.
@@ -139,7 +150,7 @@ impl PowerCrust {
         run: &Run<'_>,
     ) -> Result<()> {
         run.poll()?;
-        let mut hidden = vec![false; self.regular.coords().len()];
+        let mut hidden = Room::new(run).filled(self.regular.coords().len(), false)?;
         for &vertex in self.regular.hidden() {
             hidden[vertex as usize] = true;
         }

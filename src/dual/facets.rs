@@ -3,7 +3,7 @@
 use super::rays::Rays;
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
-use crate::job::Run;
+use crate::job::{Room, Run};
 use crate::triangulation::Triangulation;
 
 /// One Voronoi facet for each edge of the triangulation.
@@ -34,20 +34,22 @@ impl Facets {
                 format!("the rings of all facets would have {entries} cells, more than 2^32 - 1"),
             ));
         }
-        let _charge = run.charge(entries as u64 * 4 + t.cells().len() as u64 * 16)?;
         let incidence = t.incidence_in(run)?;
         let edges = t.edges_in(&incidence, run)?;
         drop(incidence);
         let count = edges.ends.len();
-        let _more = run.charge(count as u64 * 20)?;
-        let mut offsets = run.try_vec(count + 1)?;
-        let mut cells = run.try_vec(entries)?;
-        let mut ray_pairs = run.try_vec(count)?;
+        let mut room = Room::new(run);
+        let mut offsets = room.vec(count + 1)?;
+        let mut cells: Vec<u32> = room.vec(entries)?;
+        let mut ray_pairs = room.vec(count)?;
         let mut ring = Vec::new();
+        let mut reported = 0;
         offsets.push(0);
-        for (i, (&[a, b], &cell)) in edges.ends.iter().zip(&edges.cells).enumerate() {
-            if i % 4096 == 0 {
-                run.tick(i, count)?;
+        for (&[a, b], &cell) in edges.ends.iter().zip(&edges.cells) {
+            // A ring may have nearly all cells: they count, not the rings.
+            if cells.len() >= reported {
+                run.tick(cells.len(), entries)?;
+                reported = cells.len() + 16384;
             }
             let closed = t.ring(cell, a, b, &mut ring);
             let ray = |cell: u32, from: u32, to: u32| {

@@ -3,7 +3,7 @@
 use super::normal::normal;
 use crate::error::Result;
 use crate::index::NONE;
-use crate::job::Run;
+use crate::job::{Room, Run};
 use crate::triangulation::Triangulation;
 
 /// The unbounded Voronoi edges, in two arrays with a row per facet of the hull.
@@ -19,15 +19,17 @@ pub struct Rays {
 
 impl Rays {
     pub(super) fn new(t: &Triangulation, run: &Run<'_>) -> Result<Self> {
-        let count = t.neighbors().as_flattened().iter().filter(|&&n| n == NONE).count();
-        let mut facets: Vec<[u32; 2]> = run.try_vec(count)?;
-        for (cell, neighbors) in t.neighbors().iter().enumerate() {
-            let open = (0..4).filter(|&i| neighbors[i] == NONE);
-            facets.extend(open.map(|i| [cell as u32, i as u32]));
+        let mut room = Room::new(run);
+        let mut facets: Vec<[u32; 2]> = Vec::new();
+        for cell in run.watch(t.neighbors().iter().enumerate()) {
+            let (cell, neighbors) = cell?;
+            for i in (0..4).filter(|&i| neighbors[i] == NONE) {
+                room.push(&mut facets, [cell as u32, i as u32])?;
+            }
         }
-        let mut directions = run.try_vec(count)?;
+        let mut directions = room.vec(facets.len())?;
         for (i, &[cell, facet]) in facets.iter().enumerate() {
-            if i % 4096 == 0 {
+            if i % 1024 == 0 {
                 run.poll()?;
             }
             let corners = t.facet(cell, facet as usize);

@@ -3,6 +3,7 @@
 use super::{Bounds, Points, check_coordinates};
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
+use crate::job::{Job, Room, Run, Stage};
 
 /// Half the far box's side, in half extents of the longest side of the sample's bounding box.
 ///
@@ -19,11 +20,17 @@ impl Points {
     ///
     /// The samples keep their numbers, and Z comes after them, outside the spatial order and
     /// without input rows. Errors: [`Status::CoordinateRange`] where the box would leave the
-    /// range of coordinates.
-    pub fn with_far_box(&self) -> Result<Points> {
+    /// range of coordinates, and those of the job.
+    pub fn with_far_box(&self, job: &Job) -> Result<Points> {
+        job.run(&[(Stage::Order, 1.0)], |run| self.with_far_box_in(run))
+    }
+
+    /// [`Points::with_far_box`] as a part of a larger build.
+    pub(crate) fn with_far_box_in(&self, run: &Run<'_>) -> Result<Points> {
+        let mut room = Room::new(run);
         let Bounds { min, max } = self.bounds;
         let half = self.bounds.extent().into_iter().fold(0.0, f64::max) / 2.0 * FAR_BOX_FACTOR;
-        let mut coords = Vec::with_capacity(self.len() + FAR_BOX_LEN);
+        let mut coords = room.vec(self.len() + FAR_BOX_LEN)?;
         coords.extend_from_slice(&self.coords);
         for corner in 0..FAR_BOX_LEN {
             let xyz = std::array::from_fn(|axis| {
@@ -37,9 +44,17 @@ impl Points {
                 )
             })?);
         }
-        let mut row_of_vertex = self.row_of_vertex.clone();
+        let mut row_of_vertex = room.vec(self.len() + FAR_BOX_LEN)?;
+        row_of_vertex.extend_from_slice(&self.row_of_vertex);
         row_of_vertex.extend([NONE; FAR_BOX_LEN]);
-        let bounds = Bounds::of(coords.iter().copied()).unwrap_or(self.bounds);
-        Ok(Points { coords, row_of_vertex, bounds, ..self.clone() })
+        Ok(Points {
+            bounds: Bounds::of(coords.iter().copied()).unwrap_or(self.bounds),
+            coords,
+            row_of_vertex,
+            vertex_of_row: room.collect(self.vertex_of_row.iter().copied())?,
+            duplicate_of: room.collect(self.duplicate_of.iter().copied())?,
+            duplicate_count: self.duplicate_count,
+            skipped_count: self.skipped_count,
+        })
     }
 }

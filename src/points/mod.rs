@@ -10,7 +10,7 @@ pub use far_box::FAR_BOX_LEN;
 
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::index::NONE;
-use crate::job::{Charge, Job, Run, Stage};
+use crate::job::{Job, Room, Run, Stage};
 
 /// The largest absolute coordinate: 2^200.
 ///
@@ -85,8 +85,8 @@ impl Points {
                 format!("{total} points are more than the limit of {POINT_LIMIT}"),
             ));
         }
-        let _charge: Charge = run.charge(total as u64 * 68)?;
-        let mut kept: Vec<([f64; 3], u32)> = run.try_vec(total)?;
+        let mut room = Room::new(run);
+        let mut kept: Vec<([f64; 3], u32)> = room.vec(total)?;
         for (row, xyz) in rows.enumerate() {
             if row % 65536 == 0 {
                 run.tick(row / 4, total)?;
@@ -98,20 +98,22 @@ impl Points {
                 Err(error) => return Err(error.at(ElementKind::Row, row as u64)),
             }
         }
+        run.tick(1, 4)?;
         let Some(bounds) = Bounds::of(kept.iter().map(|(xyz, _)| *xyz)) else {
             return Err(Error::new(Status::TooFewPoints, "there is no point"));
         };
         order::sort(&mut kept, &bounds, run)?;
         let mut points = Points {
-            coords: run.try_vec(kept.len())?,
-            vertex_of_row: vec![NONE; total],
-            row_of_vertex: run.try_vec(kept.len())?,
-            duplicate_of: vec![NONE; total],
+            coords: room.vec(kept.len())?,
+            vertex_of_row: room.filled(total, NONE)?,
+            row_of_vertex: room.vec(kept.len())?,
+            duplicate_of: room.filled(total, NONE)?,
             duplicate_count: 0,
             skipped_count: total - kept.len(),
             bounds,
         };
-        for (xyz, row) in kept {
+        for kept in run.watch(kept) {
+            let (xyz, row) = kept?;
             if points.coords.last() != Some(&xyz) {
                 points.coords.push(xyz);
                 points.row_of_vertex.push(row);

@@ -2,38 +2,47 @@
 
 use super::Bounds;
 use crate::error::Result;
-use crate::job::Run;
+use crate::job::{Room, Run};
+use crate::sort::{float_key, sort_by_key};
 
 /// Bits per axis of the Hilbert grid; three times as many fit into a u64.
 const BITS: u32 = 21;
+/// Points of one grid cell from which on the sorting must be one that a job can stop.
+const MANY: usize = 1 << 12;
 
-/// Sorts the points by Hilbert rank, ties by coordinates, then by row.
+/// A position and its row, or what stands for it.
+pub(crate) type Row = ([f64; 3], u32);
+
+/// Sorts the points by Hilbert rank, ties by coordinates.
 ///
-/// Only the coordinates' bits and the box decide, so that the order depends on the set alone;
-/// equal points come to stand together, the first row first. Cost: O(n log n).
-pub(crate) fn sort(
-    points: &mut Vec<([f64; 3], u32)>,
-    bounds: &Bounds,
-    run: &Run<'_>,
-) -> Result<()> {
+/// Ties beyond the coordinates stay in the order given. Only the coordinates' bits and the box decide, so that the order depends on the
+/// set alone; equal points come to stand together, the first row first. Cost: O(n log n).
+pub(crate) fn sort(points: &mut Vec<Row>, bounds: &Bounds, run: &Run<'_>) -> Result<()> {
     let grid = Grid::new(bounds);
-    let mut keyed: Vec<(u64, u32)> = run.try_vec(points.len())?;
+    let mut room = Room::new(run);
+    let mut keyed: Vec<(u64, u32)> = room.vec(points.len())?;
     for (i, (xyz, _)) in points.iter().enumerate() {
         if i % 65536 == 0 {
             run.tick(points.len() / 4 + i / 4, points.len())?;
         }
         keyed.push((grid.rank(*xyz), i as u32));
     }
-    keyed.sort_unstable_by(|a, b| {
-        a.0.cmp(&b.0).then_with(|| {
-            let (p, q) = (&points[a.1 as usize], &points[b.1 as usize]);
-            lexicographic(&p.0, &q.0).then(p.1.cmp(&q.1))
-        })
-    });
+    sort_by_key(&mut keyed, |keyed| keyed.0, run)?;
+    run.tick(5, 8)?;
+    for tied in run.watch(keyed.chunk_by_mut(|a, b| a.0 == b.0)) {
+        let tied = tied?;
+        if tied.len() > MANY {
+            let mut rows = room.collect(tied.iter().copied())?;
+            for axis in [2, 1, 0] {
+                sort_by_key(&mut rows, |row| float_key(points[row.1 as usize].0[axis]), run)?;
+            }
+            tied.copy_from_slice(&rows);
+        } else if tied.len() > 1 {
+            tied.sort_by(|a, b| lexicographic(&points[a.1 as usize].0, &points[b.1 as usize].0));
+        }
+    }
     run.tick(3, 4)?;
-    let mut sorted = run.try_vec(points.len())?;
-    sorted.extend(keyed.iter().map(|&(_, i)| points[i as usize]));
-    *points = sorted;
+    *points = room.collect(keyed.iter().map(|&(_, i)| points[i as usize]))?;
     Ok(())
 }
 
@@ -111,6 +120,25 @@ fn hilbert(mut axes: [u32; 3]) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::job::Job;
+
+    #[test]
+    fn ties_in_one_grid_cell_go_by_coordinates_then_rows() {
+        let bounds = Bounds { min: [0.0; 3], max: [1e12; 3] };
+        let mut random = 1u64;
+        for count in [10, 3 * MANY] {
+            let mut points: Vec<Row> = (0..count as u32)
+                .map(|row| {
+                    random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+                    ([0, 8, 16].map(|shift| f64::from((random >> (40 + shift)) as u8 % 8)), row)
+                })
+                .collect();
+            let mut expected = points.clone();
+            expected.sort_by(|a, b| lexicographic(&a.0, &b.0).then(a.1.cmp(&b.1)));
+            Job::default().run(&[], |run| sort(&mut points, &bounds, run)).unwrap();
+            assert_eq!(points, expected);
+        }
+    }
 
     #[test]
     fn neighbours_on_the_curve_are_neighbours_in_space() {

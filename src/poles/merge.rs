@@ -3,18 +3,21 @@
 use crate::dual::Dual;
 use crate::error::Result;
 use crate::index::NONE;
-use crate::job::Run;
+use crate::job::{Room, Run};
 use crate::predicates::insphere;
 
 /// For each cell the least cell with the same circumscribed sphere, in exact arithmetic.
 ///
 /// Such cells make up one polytope, so they hang together through facets. Cost: O(m), since equal
 /// spheres have equal rounded centres, and the predicate looks at those only.
-pub(super) fn least_cells(dual: &Dual, run: &Run<'_>) -> Result<Vec<u32>> {
+pub(super) fn least_cells<'a>(
+    dual: &Dual,
+    room: &mut Room<'a>,
+    run: &'a Run<'a>,
+) -> Result<Vec<u32>> {
     let t = dual.triangulation();
     let count = t.cells().len();
-    let mut parent: Vec<u32> = run.try_vec(count)?;
-    parent.extend(0..count as u32);
+    let mut parent = room.collect(0..count as u32)?;
     for cell in 0..count {
         if cell % 4096 == 0 {
             run.tick(cell / 4, count)?;
@@ -30,7 +33,8 @@ pub(super) fn least_cells(dual: &Dual, run: &Run<'_>) -> Result<Vec<u32>> {
         }
     }
     // A parent is less than its child: by the time a cell is reached, its parent points at the root.
-    for cell in 0..count {
+    for cell in run.watch(0..count) {
+        let cell = cell?;
         parent[cell] = parent[parent[cell] as usize];
     }
     Ok(parent)

@@ -12,7 +12,7 @@ mod validate;
 use crate::dual::{Dual, DualOptions, offset, unit};
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::index::NONE;
-use crate::job::{Job, Run, Stage};
+use crate::job::{Job, Room, Run, Stage};
 use crate::points::{Bounds, COORDINATE_MIN, FAR_BOX_LEN, Points, order};
 use crate::triangulation::Triangulation;
 use feature_size::Forest;
@@ -66,7 +66,7 @@ impl Poles {
     /// [`Poles::with_far_box`] as a stage of a larger build.
     pub(crate) fn with_far_box_in(points: &Arc<Points>, run: &Run<'_>) -> Result<Self> {
         Triangulation::check_solid(points, run)?;
-        let boxed = Arc::new(points.with_far_box()?);
+        let boxed = Arc::new(points.with_far_box_in(run)?);
         let triangulation = Arc::new(Triangulation::delaunay_in(&boxed, run)?);
         Poles::new_in(&Dual::new_in(&triangulation, DualOptions::default(), run)?, run)
     }
@@ -91,19 +91,20 @@ impl Poles {
             ));
         }
         let samples = sample_count(t.points());
-        let _charge = run.charge(t.cells().len() as u64 * 4 + samples as u64 * 48)?;
-        let least_cell = merge::least_cells(dual, run)?;
-        let Selection { first, second, mut normals } = Selection::new(dual, samples, run)?;
-        let mut numbers: Vec<u32> = run.try_vec(t.cells().len())?;
-        numbers.resize(t.cells().len(), NONE);
+        let mut room = Room::new(run);
+        let least_cell = merge::least_cells(dual, &mut room, run)?;
+        let Selection { first, second, mut normals } =
+            Selection::new(dual, samples, &mut room, run)?;
+        let mut numbers = room.filled(t.cells().len(), NONE)?;
         let cell_of_pole = number(dual, &least_cell, [&first, &second], &mut numbers, run)?;
-        let touches_far_box = touches(t, samples, &least_cell, &numbers, cell_of_pole.len());
+        let mut touches_far_box = room.filled(cell_of_pole.len(), false)?;
+        mark_far(t, samples, &least_cell, &numbers, &mut touches_far_box, run)?;
         let pole = |&cell: &u32| match cell {
             NONE => NONE,
             cell => numbers[least_cell[cell as usize] as usize],
         };
-        let mut pole_of_sample = run.try_vec(samples)?;
-        pole_of_sample.extend(first.iter().zip(&second).map(|(p, q)| [pole(p), pole(q)]));
+        let pairs = first.iter().zip(&second).map(|(p, q)| [pole(p), pole(q)]);
+        let pole_of_sample = room.collect(pairs)?;
         for (sample, &cell) in first.iter().enumerate().filter(|(_, cell)| **cell != NONE) {
             if sample % 4096 == 0 {
                 run.poll()?;
@@ -116,8 +117,9 @@ impl Poles {
         };
         Ok(Poles {
             triangulation: t.clone(),
-            balls: cell_of_pole.iter().map(ball).collect(),
-            radii_squared: cell_of_pole.iter().map(|&c| dual.radii_squared()[c as usize]).collect(),
+            balls: room.collect(cell_of_pole.iter().map(ball))?,
+            radii_squared: room
+                .collect(cell_of_pole.iter().map(|&c| dual.radii_squared()[c as usize]))?,
             cell_of_pole,
             touches_far_box,
             pole_of_sample,
@@ -209,12 +211,13 @@ fn number(
     numbers: &mut [u32],
     run: &Run<'_>,
 ) -> Result<Vec<u32>> {
-    let mut cells = run.try_vec(2 * chosen[0].len())?;
-    for &cell in chosen.into_iter().flatten().filter(|&&cell| cell != NONE) {
-        let least = least_cell[cell as usize];
+    let mut room = Room::new(run);
+    let mut cells = Vec::new();
+    for cell in run.watch(chosen.into_iter().flatten().filter(|&&cell| cell != NONE)) {
+        let least = least_cell[*cell? as usize];
         if numbers[least as usize] == NONE {
             numbers[least as usize] = 0;
-            cells.push((position(dual, least), least));
+            room.push(&mut cells, (position(dual, least), least))?;
         }
     }
     if let Some(bounds) = Bounds::of(cells.iter().map(|(center, _)| *center)) {
@@ -223,25 +226,26 @@ fn number(
     for (pole, (_, cell)) in cells.iter().enumerate() {
         numbers[*cell as usize] = pole as u32;
     }
-    Ok(cells.into_iter().map(|(_, cell)| cell).collect())
+    room.collect(cells.into_iter().map(|(_, cell)| cell))
 }
 
-/// Whether any cell of each pole has a vertex that is not a sample.
-fn touches(
+/// Marks the poles of which any cell has a vertex that is not a sample.
+fn mark_far(
     t: &Triangulation,
     samples: usize,
     least_cell: &[u32],
     numbers: &[u32],
-    poles: usize,
-) -> Vec<bool> {
-    let mut touches = vec![false; poles];
-    for (corners, &least) in t.cells().iter().zip(least_cell) {
+    touches: &mut [bool],
+    run: &Run<'_>,
+) -> Result<()> {
+    for cell in run.watch(t.cells().iter().zip(least_cell)) {
+        let (corners, &least) = cell?;
         let pole = numbers[least as usize];
         if pole != NONE && corners.iter().any(|&v| v as usize >= samples) {
             touches[pole as usize] = true;
         }
     }
-    touches
+    Ok(())
 }
 
 /// The unit direction from a sample to the centre of one of its cells.

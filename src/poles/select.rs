@@ -4,7 +4,7 @@ use super::position;
 use crate::dual::{Dual, direction_sign, dot_sign, unit};
 use crate::error::Result;
 use crate::index::NONE;
-use crate::job::Run;
+use crate::job::{Room, Run};
 use crate::predicates::Sign;
 use crate::triangulation::Triangulation;
 
@@ -23,13 +23,16 @@ pub(super) struct Selection {
 
 impl Selection {
     /// Two passes over the cells; ascending, so that the least of equal cells is kept.
-    pub(super) fn new(dual: &Dual, samples: usize, run: &Run<'_>) -> Result<Self> {
+    pub(super) fn new(
+        dual: &Dual,
+        samples: usize,
+        room: &mut Room<'_>,
+        run: &Run<'_>,
+    ) -> Result<Self> {
         let t = dual.triangulation();
         let count = t.cells().len();
-        let normals = directions_to_infinity(dual, samples, run)?;
-        let mut first: Vec<u32> = run.try_vec(samples)?;
-        first.resize(samples, NONE);
-        let mut second = first.clone();
+        let normals = directions_to_infinity(dual, samples, room, run)?;
+        let (mut first, mut second) = (room.filled(samples, NONE)?, room.filled(samples, NONE)?);
         let of_samples =
             |cell: usize| t.cells()[cell].into_iter().map(|v| v as usize).filter(|&v| v < samples);
         for cell in 0..count {
@@ -61,11 +64,16 @@ impl Selection {
 
 /// For each sample on the hull the mean of the unit directions of its Voronoi cell's unbounded edges, made
 /// a unit vector; 0 for all others.
-fn directions_to_infinity(dual: &Dual, samples: usize, run: &Run<'_>) -> Result<Vec<[f64; 3]>> {
-    let mut sums: Vec<[f64; 3]> = run.try_vec(samples)?;
-    sums.resize(samples, [0.0; 3]);
+fn directions_to_infinity(
+    dual: &Dual,
+    samples: usize,
+    room: &mut Room<'_>,
+    run: &Run<'_>,
+) -> Result<Vec<[f64; 3]>> {
+    let mut sums = room.filled(samples, [0.0; 3])?;
     let rays = dual.rays();
-    for (&[cell, facet], direction) in rays.facets().iter().zip(rays.directions()) {
+    for ray in run.watch(rays.facets().iter().zip(rays.directions())) {
+        let (&[cell, facet], direction) = ray?;
         let corners = dual.triangulation().facet(cell, facet as usize);
         for sample in corners.map(|v| v as usize).into_iter().filter(|&v| v < samples) {
             let sum = [0, 1, 2].map(|k| sums[sample][k] + direction[k]);
@@ -73,8 +81,8 @@ fn directions_to_infinity(dual: &Dual, samples: usize, run: &Run<'_>) -> Result<
             sums[sample] = if sum == [0.0; 3] { *direction } else { sum };
         }
     }
-    run.poll()?;
-    for sum in sums.iter_mut().filter(|sum| **sum != [0.0; 3]) {
+    for sum in run.watch(sums.iter_mut().filter(|sum| **sum != [0.0; 3])) {
+        let sum = sum?;
         *sum = unit(*sum);
     }
     Ok(sums)

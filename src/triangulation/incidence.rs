@@ -4,7 +4,8 @@ use super::Triangulation;
 use super::cells::EVEN;
 use crate::error::Result;
 use crate::index::NONE;
-use crate::job::{Job, Run, Stage};
+use crate::job::{Job, Room, Run, Stage};
+use crate::sort::sort_by_key;
 
 /// The cells of every vertex, in rows.
 ///
@@ -58,19 +59,18 @@ impl Triangulation {
     /// [`Triangulation::incidence`] as a part of a larger build.
     pub(crate) fn incidence_in(&self, run: &Run<'_>) -> Result<Incidence> {
         let vertices = self.coords().len();
-        let mut offsets: Vec<u32> = run.try_vec(vertices + 1)?;
-        offsets.resize(vertices + 1, 0);
-        for &vertex in self.cells.as_flattened() {
-            offsets[vertex as usize + 1] += 1;
+        let mut room = Room::new(run);
+        let mut offsets = room.filled(vertices + 1, 0u32)?;
+        for vertex in run.watch(self.cells.as_flattened()) {
+            offsets[*vertex? as usize + 1] += 1;
         }
         for v in 0..vertices {
             offsets[v + 1] += offsets[v];
         }
-        run.poll()?;
-        let mut cells: Vec<u32> = run.try_vec(4 * self.cells.len())?;
-        cells.resize(4 * self.cells.len(), 0);
-        let mut next = offsets.clone();
-        for (cell, vertices) in self.cells.iter().enumerate() {
+        let mut cells = room.filled(4 * self.cells.len(), 0u32)?;
+        let mut next = room.collect(offsets.iter().copied())?;
+        for vertices in run.watch(self.cells.iter().enumerate()) {
+            let (cell, vertices) = vertices?;
             for &vertex in vertices {
                 let slot = &mut next[vertex as usize];
                 cells[*slot as usize] = cell as u32;
@@ -91,19 +91,27 @@ impl Triangulation {
 
     /// [`Triangulation::edges`] as a part of a larger build.
     pub(crate) fn edges_in(&self, incidence: &Incidence, run: &Run<'_>) -> Result<Edges> {
+        let mut room = Room::new(run);
         let mut edges = Edges::default();
         let mut found: Vec<(u32, u32)> = Vec::new();
+        let mut seen = 0;
         for vertex in 0..self.coords().len() as u32 {
-            if vertex % 1024 == 0 {
+            // A vertex may have nearly all cells: they count, not the vertices.
+            seen += incidence.cells_of(vertex).len();
+            if seen >= 4096 {
+                seen = 0;
                 run.poll()?;
             }
             found.clear();
+            room.grow(&mut found, 3 * incidence.cells_of(vertex).len())?;
             for &cell in incidence.cells_of(vertex) {
                 let others = self.cells[cell as usize].into_iter().filter(|&v| v > vertex);
                 found.extend(others.map(|other| (other, cell)));
             }
-            found.sort_unstable();
+            sort_by_key(&mut found, |(other, _)| u64::from(*other), run)?;
             found.dedup_by_key(|(other, _)| *other);
+            room.grow(&mut edges.ends, found.len())?;
+            room.grow(&mut edges.cells, found.len())?;
             edges.ends.extend(found.iter().map(|&(other, _)| [vertex, other]));
             edges.cells.extend(found.iter().map(|&(_, cell)| cell));
         }

@@ -5,8 +5,9 @@ use super::cells::FACET;
 use super::conflict::{Conflict, Delaunay, Regular, Site, position};
 use crate::error::{ElementKind, Result};
 use crate::index::NONE;
-use crate::job::{Job, Run, Stage};
+use crate::job::{Job, Room, Run, Stage};
 use crate::predicates::{Sign, orient3d};
+use crate::sort::sort_by_key;
 use crate::validation::Validation;
 
 impl Triangulation {
@@ -21,7 +22,7 @@ impl Triangulation {
         job.run(&[(Stage::Validate, 1.0)], |run| {
             run.enter(Stage::Validate)?;
             let mut report = Validation::new();
-            if self.check_indices(&mut report) {
+            if self.check_indices(&mut report, run)? {
                 self.check_cells(&mut report, run)?;
                 self.check_hull(&mut report, run)?;
                 self.check_euler(&mut report, run)?;
@@ -32,7 +33,7 @@ impl Triangulation {
     }
 
     /// Whether all indices are in range; without that nothing else can be looked at.
-    fn check_indices(&self, report: &mut Validation) -> bool {
+    fn check_indices(&self, report: &mut Validation, run: &Run<'_>) -> Result<bool> {
         let (vertices, count) = (self.coords().len(), self.cells.len());
         report.check(
             count > 0 && self.neighbors.len() == count,
@@ -40,14 +41,15 @@ impl Triangulation {
             count as u64,
             || "there must be cells, and as many rows of neighbours".into(),
         );
-        for (cell, (corners, neighbors)) in self.cells.iter().zip(&self.neighbors).enumerate() {
+        for row in run.watch(self.cells.iter().zip(&self.neighbors).enumerate()) {
+            let (cell, (corners, neighbors)) = row?;
             let sound = corners.iter().all(|&v| (v as usize) < vertices)
                 && neighbors.iter().all(|&n| n == NONE || (n as usize) < count);
             report.check(sound, ElementKind::Cell, cell as u64, || {
                 "names a vertex or a neighbour that does not exist".into()
             });
         }
-        report.is_valid()
+        Ok(report.is_valid())
     }
 
     /// Order, orientation, adjacency and conflict, cell by cell.
@@ -117,22 +119,26 @@ impl Triangulation {
     /// A closed connected surface that is locally convex bounds a convex solid, and a cell complex of
     /// positively oriented cells with that boundary covers it once.
     fn check_hull(&self, report: &mut Validation, run: &Run<'_>) -> Result<()> {
+        let mut room = Room::new(run);
         let mut sides: Vec<Side> = Vec::new();
         let mut facets: Vec<[u32; 3]> = Vec::new();
-        for (cell, corners) in self.cells.iter().enumerate() {
+        for cell in run.watch(self.cells.iter().enumerate()) {
+            let (cell, corners) = cell?;
             for slot in (0..4).filter(|&slot| self.neighbors[cell][slot] == NONE) {
                 // Seen from within the facet turns counterclockwise, and beyond it is positive.
                 let [x, y, z] = FACET[slot].map(|i| corners[i]);
                 for (from, to) in [(x, y), (y, z), (z, x)] {
                     let edge = [from.min(to), from.max(to)];
-                    sides.push(Side { edge, forward: from < to, facet: facets.len() as u32 });
+                    let facet = facets.len() as u32;
+                    room.push(&mut sides, Side { edge, forward: from < to, facet })?;
                 }
-                facets.push([x, y, z]);
+                room.push(&mut facets, [x, y, z])?;
             }
         }
-        run.poll()?;
-        sides.sort_unstable();
-        let mut pieces = Pieces::new(facets.len());
+        let edge = |side: &Side| u64::from(side.edge[0]) << 32 | u64::from(side.edge[1]);
+        sort_by_key(&mut sides, edge, run)?;
+        let mut pieces =
+            Pieces { parent: room.collect(0..facets.len() as u32)?, count: facets.len() };
         let at = |v: u32| &self.coords()[v as usize];
         for (i, group) in sides.chunk_by(|s, t| s.edge == t.edge).enumerate() {
             if i % 4096 == 0 {
@@ -198,8 +204,8 @@ impl Triangulation {
     }
 }
 
-/// One side of a hull facet; sides of the same edge come to stand together when sorted.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+/// One side of a hull facet.
+#[derive(Clone, Copy)]
 struct Side {
     edge: [u32; 2],
     forward: bool,
@@ -213,10 +219,6 @@ struct Pieces {
 }
 
 impl Pieces {
-    fn new(facets: usize) -> Self {
-        Pieces { parent: (0..facets as u32).collect(), count: facets }
-    }
-
     fn root(&mut self, mut facet: u32) -> u32 {
         while self.parent[facet as usize] != facet {
             let above = self.parent[self.parent[facet as usize] as usize];

@@ -111,7 +111,7 @@ fn the_order_is_spatial() {
 #[test]
 fn the_far_box_surrounds_the_sample() {
     let p = points(&[[0.0, 0.0, 0.0], [2.0, 4.0, 1.0], [1.0, 1.0, 1.0]]).unwrap();
-    let z = p.with_far_box().unwrap();
+    let z = p.with_far_box(&Job::default()).unwrap();
     assert_eq!(z.coords()[..3], *p.coords());
     assert_eq!(z.len(), 3 + FAR_BOX_LEN);
     // Half the longest side, 2, times 5, about the centre (1, 2, 0.5).
@@ -123,5 +123,5 @@ fn the_far_box_surrounds_the_sample() {
     corners.dedup();
     assert_eq!(corners.len(), 8);
     let huge = points(&[[0.0; 3], [COORDINATE_MAX; 3]]).unwrap();
-    assert_eq!(huge.with_far_box().unwrap_err().status(), Status::CoordinateRange);
+    assert_eq!(huge.with_far_box(&Job::default()).unwrap_err().status(), Status::CoordinateRange);
 }

@@ -25,7 +25,8 @@ fn alone(rows: &[[f64; 3]]) -> Poles {
 
 /// The poles of the sample with the far box.
 fn boxed(rows: &[[f64; 3]]) -> Poles {
-    Poles::new(&dual_of(points(rows).with_far_box().unwrap()), &Job::default()).unwrap()
+    Poles::new(&dual_of(points(rows).with_far_box(&Job::default()).unwrap()), &Job::default())
+        .unwrap()
 }
 
 fn assert_valid(poles: &Poles, name: &str) {

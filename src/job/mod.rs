@@ -3,6 +3,10 @@
 //! Options say *what* to build, a [`Job`] says *how*. A job runs one build at a time; a second
 //! one started meanwhile fails with [`Status::Busy`], and a cancelled job is spent.
 
+mod room;
+
+pub(crate) use room::Room;
+
 use crate::error::{Error, Result, Status};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicU8, AtomicU64, Ordering};
@@ -305,6 +309,16 @@ impl<'a> Run<'a> {
             return Err(Error::new(Status::Cancelled, "the job was cancelled"));
         }
         Ok(())
+    }
+
+    /// The items of an iterator, with a [`Run::poll`] now and then: for loops whose turns are short.
+    pub fn watch<I: IntoIterator>(&self, items: I) -> impl Iterator<Item = Result<I::Item>> {
+        items.into_iter().enumerate().map(|(i, item)| {
+            if i.is_multiple_of(1 << 14) {
+                self.poll()?;
+            }
+            Ok(item)
+        })
     }
 
     /// The number of threads that this build may use, at least 1.
