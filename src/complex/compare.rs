@@ -1,12 +1,12 @@
 //! How far two complexes are apart: the two-sided distances.
 
 use super::closest::{cross, dot, sub};
-use super::forest::{Forest, Simplex};
+use super::hierarchy::{Hierarchy, Simplex};
 use super::measure::{Frame, Sum};
-use super::skeleton::{Skeleton, filled};
+use super::skeleton::Skeleton;
 use super::{Complex, Point, fan};
 use crate::error::{Error, Result, Status};
-use crate::job::{Charge, Job, Run, Stage};
+use crate::job::{Job, Room, Run, Stage};
 use crate::points::Bounds;
 use std::borrow::Cow;
 
@@ -106,9 +106,16 @@ pub(crate) fn compare_in(
 fn used_vertices(complex: &Complex, run: &Run<'_>) -> Result<Vec<u32>> {
     let rows = [complex.faces.indices(), complex.edges.as_flattened(), complex.cells.indices()];
     let none = rows.iter().all(|row| row.is_empty());
-    let mut used = filled(complex.vertices.len(), none, run)?;
-    rows.into_iter().flatten().for_each(|&v| used[v as usize] = true);
-    Ok((0..used.len() as u32).filter(|&v| used[v as usize]).collect())
+    let mut room = Room::new(run);
+    let mut is_used = room.filled(complex.vertices.len(), none)?;
+    for vertex in run.watch(rows.into_iter().flatten()) {
+        is_used[*vertex? as usize] = true;
+    }
+    let mut used = Vec::new();
+    for vertex in run.watch((0..is_used.len() as u32).filter(|&v| is_used[v as usize])) {
+        room.push(&mut used, vertex?)?;
+    }
+    Ok(used)
 }
 
 /// How many distances there are to find.
@@ -124,35 +131,45 @@ struct Side<'a> {
     used: Vec<u32>,
     /// The triangles of the faces and of the cells' skin.
     skin: Cow<'a, [[u32; 3]]>,
-    points: Forest<1>,
-    segments: Forest<2>,
-    triangles: Forest<3>,
-    solids: Forest<4>,
-    _charge: Charge<'a>,
+    points: Hierarchy<1>,
+    segments: Hierarchy<2>,
+    triangles: Hierarchy<3>,
+    solids: Hierarchy<4>,
+    /// The memory of the hierarchies.
+    _room: Room<'a>,
 }
 
 impl<'a> Side<'a> {
-    fn new(complex: &'a Complex, used: Vec<u32>, frame: &'a Frame, run: &Run<'a>) -> Result<Self> {
+    fn new(
+        complex: &'a Complex,
+        used: Vec<u32>,
+        frame: &'a Frame,
+        run: &'a Run<'a>,
+    ) -> Result<Self> {
+        let mut room = Room::new(run);
         let skin = match complex.cells.is_empty() {
             true => Cow::Borrowed(complex.triangles.as_slice()),
-            false => Cow::Owned(skin(complex, run)?),
+            false => Cow::Owned(skin(complex, &mut room, run)?),
         };
-        let solids: Vec<[u32; 4]> = complex.cells.iter().flat_map(tetrahedra).collect();
+        let mut solids: Vec<[u32; 4]> = Vec::new();
+        for cell in run.watch(complex.cells.iter()) {
+            for tetrahedron in tetrahedra(cell?) {
+                room.push(&mut solids, tetrahedron)?;
+            }
+        }
         let bare = skin.is_empty() && complex.edges.is_empty() && solids.is_empty();
-        let points: Vec<[u32; 1]> = used.iter().filter(|_| bare).map(|&v| [v]).collect();
-        // A simplex is copied once more while it is loaded, and the nodes add a fourth.
-        let size = 32 * points.len() + 56 * complex.edges.len() + 80 * skin.len();
-        let charge = run.charge(9 * (size + 104 * solids.len()) as u64 / 4)?;
+        let points =
+            room.collect(used[..if bare { used.len() } else { 0 }].iter().map(|&v| [v]))?;
         Ok(Side {
-            points: forest(complex, frame, &points, run)?,
-            segments: forest(complex, frame, &complex.edges, run)?,
-            triangles: forest(complex, frame, &skin, run)?,
-            solids: forest(complex, frame, &solids, run)?,
+            points: hierarchy(complex, frame, &points, &mut room, run)?,
+            segments: hierarchy(complex, frame, &complex.edges, &mut room, run)?,
+            triangles: hierarchy(complex, frame, &skin, &mut room, run)?,
+            solids: hierarchy(complex, frame, &solids, &mut room, run)?,
             complex,
             frame,
             used,
             skin,
-            _charge: charge,
+            _room: room,
         })
     }
 
@@ -227,26 +244,30 @@ impl<'a> Side<'a> {
 }
 
 /// A simplex for each row of vertices.
-fn forest<const N: usize>(
+fn hierarchy<const N: usize>(
     complex: &Complex,
     frame: &Frame,
     rows: &[[u32; N]],
+    room: &mut Room<'_>,
     run: &Run<'_>,
-) -> Result<Forest<N>> {
-    let mut simplices = run.try_vec(rows.len())?;
-    simplices.extend(rows.iter().map(|row| Simplex {
+) -> Result<Hierarchy<N>> {
+    let simplex = |row: &[u32; N]| Simplex {
         corners: row.map(|v| frame.scaled(complex.vertices[v as usize])),
         tag: 0,
-    }));
-    Forest::new(simplices, run)
+    };
+    let simplices = Room::new(run).collect(rows.iter().map(simplex))?;
+    Hierarchy::new(&simplices, room, run)
 }
 
 /// The triangles of the faces and of the facets that bound one cell only.
-fn skin(complex: &Complex, run: &Run<'_>) -> Result<Vec<[u32; 3]>> {
+fn skin(complex: &Complex, room: &mut Room<'_>, run: &Run<'_>) -> Result<Vec<[u32; 3]>> {
     let skeleton = Skeleton::new(complex, run)?;
     let mut skin = Vec::new();
-    for f in (0..skeleton.face_count()).filter(|&f| skeleton.cells_of_face(f).len() < 2) {
-        skin.extend(fan(skeleton.ring(f)));
+    for f in run.watch((0..skeleton.face_count()).filter(|&f| skeleton.cells_of_face(f).len() < 2))
+    {
+        for triangle in fan(skeleton.ring(f?)) {
+            room.push(&mut skin, triangle)?;
+        }
     }
     Ok(skin)
 }

@@ -4,7 +4,7 @@ mod attribute;
 mod closest;
 mod compare;
 mod disjoint;
-mod forest;
+mod hierarchy;
 mod homology;
 mod measure;
 mod orient;
@@ -17,6 +17,7 @@ mod validate;
 
 pub use attribute::{Attribute, Element, Values};
 pub use compare::{CompareOptions, Comparison, Distances, compare};
+pub(crate) use hierarchy::{Hierarchy, Simplex};
 pub use measure::Measure;
 pub use rows::Rows;
 pub use topology::Topology;

@@ -1,17 +1,16 @@
 //! Turning faces so that they agree, and point out of the material.
 
 use super::closest::{cross, dot};
-use super::forest::{Box3, Forest, Simplex};
+use super::hierarchy::{Hierarchy, Simplex, meets};
 use super::measure::{Frame, Sum};
 use super::skeleton::{Groups, Skeleton, filled};
 use super::surface::Patches;
 use super::{Complex, Point, Rows, fan, fans};
 use crate::error::Result;
 use crate::index::NONE;
-use crate::job::{Job, Run, Stage};
+use crate::job::{Job, Room, Run, Stage};
 use crate::points::Bounds;
 use crate::predicates::{Sign, coplanar_orientation, orient3d};
-use rstar::{Envelope, RTreeObject};
 
 /// The number of steps between two ticks.
 const BATCH: usize = 1 << 12;
@@ -103,7 +102,7 @@ fn turned_faces(complex: &Complex, skeleton: &Skeleton, run: &Run<'_>) -> Result
 struct Shells {
     least_faces: Vec<u32>,
     /// The triangles of every shell, tagged with its number, for exact tests.
-    triangles: Forest<3>,
+    triangles: Hierarchy<3>,
     /// The vertices of each shell, some more than once.
     vertices: Groups,
     positions: Vec<Point>,
@@ -156,7 +155,7 @@ impl Shells {
         let shell_of_side = |s: usize| shell_of_face[skeleton.face_of_side[s] as usize];
         let mut vertices = Groups::new(least_faces.len(), end, shell_of_side, run)?;
         vertices.replace(|side| skeleton.tail(side));
-        let triangles = Forest::new(triangles, run)?;
+        let triangles = Hierarchy::new(&triangles, &mut Room::new(run), run)?;
         Ok(Shells { least_faces, triangles, vertices, positions, volumes })
     }
 
@@ -188,18 +187,22 @@ impl Shells {
     /// The number of shells but one that hold a point, and whether the point may lie on one.
     fn depth_of_point(&self, q: Point, but: u32) -> (usize, bool) {
         // Everything above the point, and the point itself.
-        let above = Box3::from_corners(q, [q[0], q[1], f64::MAX]);
+        let above = Bounds { min: q, max: [q[0], q[1], f64::MAX] };
+        let itself = Bounds { min: q, max: q };
         let mut crossed: Vec<u32> = Vec::new();
         let mut touches = false;
-        for triangle in self.triangles.meeting(above).filter(|t| t.tag != but) {
+        self.triangles.meeting(&above, |triangle| {
+            if triangle.tag == but {
+                return;
+            }
             let [a, b, c] = &triangle.corners;
             let side = orient3d(a, b, c, &q);
-            touches |= side.is_zero() && triangle.envelope().contains_point(&q);
+            touches |= side.is_zero() && meets(&triangle.bounds(), &itself);
             let turn = turn_round(&q, &triangle.corners);
             if !turn.is_zero() && side == -turn {
                 crossed.push(triangle.tag);
             }
-        }
+        });
         crossed.sort_unstable();
         let odd = crossed.chunk_by(|s, t| s == t).filter(|run| run.len() % 2 == 1);
         (odd.count(), touches)

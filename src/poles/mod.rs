@@ -9,13 +9,13 @@ mod merge;
 mod select;
 mod validate;
 
+use crate::complex::Hierarchy;
 use crate::dual::{Dual, DualOptions, offset, unit};
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::index::NONE;
 use crate::job::{Job, Room, Run, Stage};
 use crate::points::{Bounds, COORDINATE_MIN, FAR_BOX_LEN, Points, order};
 use crate::triangulation::Triangulation;
-use feature_size::Forest;
 use select::Selection;
 use std::sync::{Arc, OnceLock};
 
@@ -47,8 +47,8 @@ pub struct Poles {
     touches_far_box: Vec<bool>,
     pole_of_sample: Vec<[u32; 2]>,
     normals: Vec<[f64; 3]>,
-    /// Where the nearest pole is looked up; made by the first query.
-    forest: OnceLock<Forest>,
+    /// The centres of the balls, for [`Poles::feature_size`]; built when that is first asked.
+    hierarchy: OnceLock<Hierarchy<1>>,
 }
 
 impl Poles {
@@ -124,7 +124,7 @@ impl Poles {
             touches_far_box,
             pole_of_sample,
             normals,
-            forest: OnceLock::new(),
+            hierarchy: OnceLock::new(),
         })
     }
 
