@@ -5,6 +5,7 @@ use crate::predicates::Sign;
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive, Zero};
 use std::array::from_fn;
+use std::cmp::Ordering;
 
 /// The mantissa and exponent of a finite f64: x = m 2^e, with m odd, or 0 and a large exponent.
 fn decode(x: f64) -> (i64, i32) {
@@ -152,6 +153,18 @@ pub(crate) fn dot_sign(p: [[f64; 3]; 4], q: [[f64; 3]; 4]) -> Sign {
         solution.numerator.map(|x| if negative { -x } else { x })
     });
     sign_of(&p.iter().zip(&q).map(|(x, y)| x * y).sum())
+}
+
+/// The order of |p| and |q|, where p and q are the centres of two cells less the first point, which they
+/// share. The cells must not be flat.
+#[cold]
+pub(super) fn radius_order(cells: [[[f64; 3]; 4]; 2]) -> Ordering {
+    let exponents = cells.each_ref().map(|cell| unit_exponent(cell, None, [0.0; 3]));
+    let exponent = exponents[0].min(exponents[1]);
+    let [p, q] = cells.map(|cell| Solution::new(&cell, None, exponent));
+    let square = |p: &Solution| -> BigInt { p.numerator.iter().map(|x| x * x).sum() };
+    let (x, y) = (square(&p), square(&q));
+    (x * &q.determinant * &q.determinant).cmp(&(y * &p.determinant * &p.determinant))
 }
 
 /// The sign of p . d, where p is the centre of a cell less its first point. The cell must not be

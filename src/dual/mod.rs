@@ -11,8 +11,8 @@ mod normal;
 mod rays;
 mod validate;
 
-pub(crate) use center::offset;
 pub use center::{Center, circumcenter, orthocenter};
+pub(crate) use center::{offset, radius_order};
 pub(crate) use exact::{direction_sign, dot_sign};
 pub use facets::Facets;
 pub(crate) use normal::unit;

@@ -1,12 +1,14 @@
 //! The choice of the two poles of every sample.
 
 use super::position;
-use crate::dual::{Dual, direction_sign, dot_sign, unit};
+use crate::dual::{Dual, direction_sign, dot_sign, radius_order, unit};
 use crate::error::Result;
 use crate::index::NONE;
 use crate::job::{Room, Run};
 use crate::predicates::Sign;
+use crate::predicates::double_double::Pairs;
 use crate::triangulation::Triangulation;
+use std::cmp::Ordering;
 
 /// The unit of rounding, 2^-53.
 const UNIT: f64 = f64::EPSILON / 2.0;
@@ -41,7 +43,7 @@ impl Selection {
             }
             for sample in of_samples(cell) {
                 let best = &mut first[sample];
-                if normals[sample] == [0.0; 3] && is_farther(dual, cell as u32, *best) {
+                if normals[sample] == [0.0; 3] && is_farther(dual, sample, cell as u32, *best) {
                     *best = cell as u32;
                 }
             }
@@ -51,7 +53,7 @@ impl Selection {
                 run.tick(count / 2 + cell / 2, count)?;
             }
             for sample in of_samples(cell) {
-                if is_farther(dual, cell as u32, second[sample])
+                if is_farther(dual, sample, cell as u32, second[sample])
                     && is_opposite(dual, sample, cell as u32, first[sample], normals[sample])
                 {
                     second[sample] = cell as u32;
@@ -88,15 +90,41 @@ fn directions_to_infinity(
     Ok(sums)
 }
 
-/// Whether the cell's centre is farther from their common vertex than that of another, lesser cell, or as
-/// far and lexicographically less.
-pub(super) fn is_farther(dual: &Dual, cell: u32, other: u32) -> bool {
+/// Whether the cell's centre is farther from their common vertex, the sample, than that of another,
+/// lesser cell, or as far and lexicographically less. Distances are compared exactly.
+pub(super) fn is_farther(dual: &Dual, sample: usize, cell: u32, other: u32) -> bool {
     if other == NONE {
         return true;
     }
     let radius = |cell: u32| dual.radii_squared()[cell as usize];
-    radius(cell) > radius(other)
-        || (radius(cell) == radius(other) && position(dual, cell) < position(dual, other))
+    if radius(cell) != radius(other) {
+        return radius(cell) > radius(other);
+    }
+    let is_less = position(dual, cell) < position(dual, other);
+    if is_exact(dual, cell) && is_exact(dual, other) {
+        return is_less;
+    }
+    let cells = [cell, other].map(|cell| seen_from(dual.triangulation(), sample as u32, cell));
+    match radius_order(cells) {
+        Ordering::Equal => is_less,
+        order => order == Ordering::Greater,
+    }
+}
+
+/// Whether the centre and the squared radius of a cell are right without rounding, as they are on most
+/// lattices; `false` where that is not seen at once.
+fn is_exact(dual: &Dual, cell: u32) -> bool {
+    let t = dual.triangulation();
+    let (center, square) = (dual.centers()[cell as usize], dual.radii_squared()[cell as usize]);
+    t.cells()[cell as usize].iter().all(|&v| {
+        // A pair without a second part has lost nothing.
+        let offset = Pairs::difference(t.coords()[v as usize], center);
+        let squares = offset.mul(&offset);
+        let [x, y, z] = [0, 1, 2].map(|k| squares.pick([k]));
+        let (xy, xyz) = (x.add(&y), x.add(&y).add(&z));
+        let lost = [offset.lo, squares.lo, [xy.lo[0], xyz.lo[0], 0.0]];
+        lost.as_flattened().iter().all(|&part| part == 0.0) && xyz.hi[0] == square
+    })
 }
 
 /// Whether the centre of the cell lies opposite the first pole, seen from the sample: (v - s) . (p - s) < 0

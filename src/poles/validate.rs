@@ -119,7 +119,7 @@ impl Poles {
             let id = sample as u64;
             let cells = incidence.cells_of(sample as u32);
             let farthest = |cells: &mut dyn Iterator<Item = u32>| {
-                cells.fold(NONE, |best, cell| match is_farther(dual, cell, best) {
+                cells.fold(NONE, |best, cell| match is_farther(dual, sample, cell, best) {
                     true => cell,
                     false => best,
                 })
@@ -128,7 +128,7 @@ impl Poles {
             let normal = self.normals[sample];
             let towards = match to_infinity {
                 Some(direction) => normal == direction,
-                None => first != NONE && self.points_at(normal, sample, first),
+                None => first != NONE && self.points_at(dual, normal, sample, first),
             };
             report.check(towards, ElementKind::Vertex, id, || {
                 "its normal is not the unit vector towards its first pole".into()
@@ -167,15 +167,21 @@ impl Poles {
 
     /// Whether the vector has length 1 and points from the sample at the pole, as far as the rounding of the
     /// pole's centre shows.
-    fn points_at(&self, normal: [f64; 3], sample: usize, pole: u32) -> bool {
-        let (s, [x, y, z, _]) = (self.triangulation.coords()[sample], self.balls[pole as usize]);
-        let center = [x, y, z];
+    fn points_at(&self, dual: &Dual, normal: [f64; 3], sample: usize, pole: u32) -> bool {
+        // Not the ball's centre, which is kept within the range of predicates.
+        let center = dual.centers()[self.cell_of_pole[pole as usize] as usize];
+        let s = self.triangulation.coords()[sample];
         let offset = [0, 1, 2].map(|k| center[k] - s[k]);
-        let length = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
-        let distance = length(offset);
-        let gap = [0, 1, 2].map(|k| normal[k] * distance - offset[k]);
-        (length(normal) - 1.0).abs() <= 1e-15
-            && length(gap) <= 4.0 * f64::EPSILON * (distance + length(center))
+        let largest = |v: [f64; 3]| v.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
+        // Where the centre rounds to the sample, or is beyond all floats, nothing more can be told.
+        let rounding = f64::EPSILON * (1.0 + largest(center) / largest(offset));
+        let is_told = rounding < 0.1 && largest(center) < f64::MAX;
+        (length - 1.0).abs() <= 1e-15
+            && (!is_told || {
+                let towards = unit(offset);
+                (0..3).all(|k| (normal[k] - towards[k]).abs() <= 4.0 * rounding)
+            })
     }
 
     /// Whether the pole is the centre of the cell, or both are none.

@@ -56,8 +56,7 @@ void compare(const std::string& name, const std::vector<Point>& rows, Report& re
     const subject::Crust medax = subject::power_crust(rows);
     std::string text = std::to_string(medax.poles.pole_of_sample.size()) + " samples, " + std::to_string(medax.poles.balls.size()) + " poles, " +
                        std::to_string(medax.facets.size()) + " facets";
-    std::size_t near_ties = 0;
-    std::string wrong = wrong_poles(medax.poles, near_ties);
+    std::string wrong = wrong_poles(medax.poles);
     if (!medax.solid) {
         std::vector<Point> centres;
         for (const auto& ball : medax.poles.balls) centres.push_back(centre_of(ball));
@@ -68,7 +67,6 @@ void compare(const std::string& name, const std::vector<Point>& rows, Report& re
     const Solid solid = load_into_openmesh(medax.surface_vertices, medax.surface_triangles);
     text += ", Euler characteristic " + std::to_string(solid.euler_characteristic);
     if (medax.forced != 0) text += ", " + std::to_string(medax.forced) + " forced";
-    if (near_ties != 0) text += ", " + std::to_string(near_ties) + " first poles tied but for rounding";
     if (!solid.closed_manifold())
         wrong += "; not closed in OpenMesh: " + std::to_string(solid.boundary_edges) + " boundary edges, " +
                  std::to_string(solid.complex_faces) + " complex faces, " + std::to_string(solid.complex_vertices) +

@@ -9,12 +9,11 @@ namespace {
 
 void compare(const std::string& name, const std::vector<reference::Point>& rows, Report& report) {
     const subject::Poles medax = subject::poles(rows);
-    std::size_t near_ties = 0, at_infinity = 0;
-    const std::string wrong = wrong_poles(medax, near_ties);
+    std::size_t at_infinity = 0;
+    const std::string wrong = wrong_poles(medax);
     for (const auto& [first, second] : medax.pole_of_sample) at_infinity += first == reference::none;
     std::string text = std::to_string(medax.pole_of_sample.size()) + " samples, " + std::to_string(medax.balls.size()) +
                        " poles, " + std::to_string(at_infinity) + " at infinity";
-    if (near_ties != 0) text += ", " + std::to_string(near_ties) + " first poles tied but for rounding";
     report.line(wrong.empty(), name, wrong.empty() ? text : text + ": " + wrong);
 }
 

@@ -43,8 +43,6 @@ struct Poles {
     // For points on the hull the mean of the unit outward normals of its hull facets, made a unit vector; 0 for
     // others. Their first pole lies at infinity.
     std::vector<Point> to_infinity;
-    // First poles that another Voronoi vertex beats by less than a double can tell.
-    std::size_t near_ties = 0;
 };
 
 // The poles of the first `sample_count` points: the farthest Voronoi vertex, then the farthest one at an

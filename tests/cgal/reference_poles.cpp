@@ -138,9 +138,12 @@ Poles poles(const std::vector<Point>& points, std::size_t sample_count, const st
         for (std::uint32_t v : cell) around[v].push_back(c);
     }
 
-    auto farther = [&](std::uint32_t a, std::uint32_t b) {
+    // Rounding keeps the order of distances that it does not make equal.
+    auto farther = [&](const Exact::Point_3& sample, std::uint32_t a, std::uint32_t b) {
         if (result.radius_squared[a] != result.radius_squared[b])
             return result.radius_squared[a] > result.radius_squared[b];
+        const auto order = CGAL::compare_distance_to_point(sample, exact[a], exact[b]);
+        if (order != CGAL::EQUAL) return order == CGAL::LARGER;
         if (result.centre[a] != result.centre[b]) return result.centre[a] < result.centre[b];
         return a < b;
     };
@@ -153,15 +156,11 @@ Poles poles(const std::vector<Point>& points, std::size_t sample_count, const st
             towards = Exact::Vector_3(x, y, z);
         } else {
             for (std::uint32_t c : around[s])
-                if (first == none || farther(c, first)) first = c;
+                if (first == none || farther(sample, c, first)) first = c;
             towards = exact[first] - sample;
-            result.near_ties += std::any_of(around[s].begin(), around[s].end(), [&](std::uint32_t c) {
-                return c != first && result.radius_squared[c] == result.radius_squared[first] &&
-                       CGAL::compare_distance_to_point(sample, exact[c], exact[first]) == CGAL::LARGER;
-            });
         }
         for (std::uint32_t c : around[s])
-            if ((second == none || farther(c, second)) && (exact[c] - sample) * towards < 0) second = c;
+            if ((second == none || farther(sample, c, second)) && (exact[c] - sample) * towards < 0) second = c;
         const auto vertex = [&](std::uint32_t c) { return c == none ? none : result.vertex_of_cell[c]; };
         result.pole_of_sample.push_back({vertex(first), vertex(second)});
     }

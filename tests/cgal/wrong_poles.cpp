@@ -13,12 +13,11 @@ std::vector<Cell> sorted(std::vector<Cell> cells) {
     return cells;
 }
 
-std::string wrong_poles(const subject::Poles& medax, std::size_t& near_ties) {
+std::string wrong_poles(const subject::Poles& medax) {
     const std::size_t sample_count = medax.pole_of_sample.size();
     const std::vector<Cell> cells(medax.cells.begin(), medax.cells.end());
     if (sorted(cells) != reference::delaunay(medax.vertices).cells) return "the Delaunay cells differ";
     const reference::Poles exact = reference::poles(medax.vertices, sample_count, cells, medax.normals);
-    near_ties = exact.near_ties;
 
     std::vector<bool> far_vertex(cells.size()), chosen(cells.size());
     for (std::size_t c = 0; c < cells.size(); ++c)

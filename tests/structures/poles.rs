@@ -132,25 +132,55 @@ fn reference(poles: &Poles) -> Vec<[Option<Exact>; 2]> {
         .collect()
 }
 
+/// The poles of every sample are those of the definition.
+fn equals_reference(poles: &Poles, name: &str) {
+    let t = poles.triangulation();
+    let at = |pole: u32| match pole {
+        NONE => None,
+        pole => {
+            let cell = t.cells()[poles.cell_of_pole()[pole as usize] as usize];
+            Some(exact_center(cell.map(|v| t.coords()[v as usize])))
+        }
+    };
+    for (i, expected) in reference(poles).into_iter().enumerate() {
+        let found = poles.pole_of_sample()[i].map(at);
+        assert!(found == expected, "{name}: sample {i}");
+    }
+}
+
 #[test]
 fn small_sets_equal_the_definition_in_rationals() {
     for n in [12, 40] {
         for Set { name, rows } in sets::all(n) {
             for (kind, poles) in [("alone", alone(&rows)), ("far box", boxed(&rows))] {
-                let t = poles.triangulation();
-                let at = |pole: u32| match pole {
-                    NONE => None,
-                    pole => {
-                        let cell = t.cells()[poles.cell_of_pole()[pole as usize] as usize];
-                        Some(exact_center(cell.map(|v| t.coords()[v as usize])))
-                    }
-                };
-                for (i, expected) in reference(&poles).into_iter().enumerate() {
-                    let found = poles.pole_of_sample()[i].map(at);
-                    assert!(found == expected, "{name}, {kind}: sample {i}");
-                }
+                equals_reference(&poles, &format!("{name}, {kind}"));
             }
         }
+    }
+}
+
+/// The centres of a sphere's cells are all at the same distance, but for the rounding of the samples.
+#[test]
+fn near_ties_are_decided_exactly() {
+    let mut random = Random(77);
+    for _ in 0..10 {
+        let rows: Vec<_> = (0..25).map(|_| random.sphere()).collect();
+        for (kind, poles) in [("alone", alone(&rows)), ("far box", boxed(&rows))] {
+            assert_valid(&poles, kind);
+            equals_reference(&poles, kind);
+        }
+    }
+}
+
+/// Coordinates so small that the centres of balls are rounded to 0 where exact ones are not.
+#[test]
+fn the_least_coordinates_have_sound_poles() {
+    let mut random = Random(78);
+    for _ in 0..50 {
+        let steps = |x: f64| (5.0 * x).floor() * 2f64.powi(-160);
+        let rows: Vec<_> = (0..12).map(|_| random.cube().map(steps)).collect();
+        assert_valid(&alone(&rows), "tiny");
+        assert_valid(&boxed(&rows), "tiny, far box");
     }
 }
 
