@@ -95,7 +95,15 @@ impl Points {
             match check_coordinates(xyz) {
                 Ok(xyz) => kept.push((xyz, row as u32)),
                 Err(error) if error.status() == Status::NonFinite && options.skip_non_finite => {}
-                Err(error) => return Err(error.at(ElementKind::Row, row as u64)),
+                Err(error) => {
+                    let advice = match error.status() {
+                        Status::NonFinite => "remove the row, or ask to skip such rows",
+                        _ => "rescale the points",
+                    };
+                    let message = format!("{}; {advice}", error.message());
+                    let error = Error::new(error.status(), message);
+                    return Err(error.at(ElementKind::Row, row as u64));
+                }
             }
         }
         run.tick(1, 4)?;
@@ -181,16 +189,13 @@ impl Points {
 /// The row with -0 made 0, if every coordinate is finite and in range.
 pub(crate) fn check_coordinates(xyz: [f64; 3]) -> Result<[f64; 3]> {
     if !xyz.iter().all(|x| x.is_finite()) {
-        return Err(Error::new(
-            Status::NonFinite,
-            "a coordinate is NaN or infinite; remove the row, or ask to skip such rows",
-        ));
+        return Err(Error::new(Status::NonFinite, "a coordinate is NaN or infinite"));
     }
     let in_range = |x: f64| x == 0.0 || (COORDINATE_MIN..=COORDINATE_MAX).contains(&x.abs());
     if !xyz.iter().all(|&x| in_range(x)) {
         return Err(Error::new(
             Status::CoordinateRange,
-            "a coordinate other than 0 lies outside [2^-160, 2^200]; rescale the points",
+            "a coordinate other than 0 lies outside [2^-160, 2^200]",
         ));
     }
     // -0 + 0 is 0: equal points must be equal in every bit.
