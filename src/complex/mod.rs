@@ -154,6 +154,14 @@ impl Complex {
         Ok(complex)
     }
 
+    /// What the arrays of vertices, faces and triangles take.
+    pub(crate) fn bytes(&self) -> usize {
+        size_of_val(self.vertices())
+            + 4 * (self.faces.indices().len() + self.faces.offsets().len())
+            + size_of_val(self.triangles())
+            + size_of_val(self.face_of_triangle())
+    }
+
     /// 2 for plane results, whose z is 0 throughout, else 3.
     pub fn dimension(&self) -> u32 {
         self.dimension

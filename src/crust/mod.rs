@@ -16,7 +16,7 @@ pub use label::Label;
 use crate::complex::Complex;
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
-use crate::job::{Job, Run, Stage};
+use crate::job::{Job, Room, Run, Stage};
 use crate::points::{Points, PointsOptions};
 use crate::poles::Poles;
 use crate::triangulation::Triangulation;
@@ -77,7 +77,9 @@ impl PowerCrust {
             (Stage::Extract, 0.1),
         ];
         job.run(&plan, |run| {
+            let mut room = Room::new(run);
             let poles = Arc::new(Poles::with_far_box_in(points, run)?);
+            room.keep(poles.bytes())?;
             PowerCrust::from_poles_in(poles, options, run)
         })
     }
@@ -108,14 +110,18 @@ impl PowerCrust {
                 "a power crust needs poles chosen with the far box",
             ));
         }
+        let mut room = Room::new(run);
         let regular = Arc::new(triangulate_balls(&poles, run)?);
+        room.keep(regular.bytes())?;
         let incidence = regular.incidence_in(run)?;
         let edges = regular.edges_in(&incidence, run)?;
         drop(incidence);
+        room.keep(edges.bytes())?;
         let labelling = label::label_poles(&poles, &regular, &edges, &options, run)?;
         run.enter(Stage::Extract)?;
         let labels = labelling.labels;
         let surface = surface::extract(&regular, &labels, &edges, run)?;
+        room.keep(surface.bytes())?;
         let shape = |side| shape::extract(&poles, &regular, &labels, &edges, side, run);
         let (inner_shape, outer_shape) = (shape(Label::Inner)?, shape(Label::Outer)?);
         Ok(PowerCrust {
@@ -205,5 +211,7 @@ fn triangulate_balls(poles: &Poles, run: &Run<'_>) -> Result<Triangulation> {
     };
     let centers = poles.balls().iter().map(|&[x, y, z, _]| [x, y, z]);
     let points = Points::new_in(centers, PointsOptions::default(), run).map_err(of_poles)?;
+    let mut room = Room::new(run);
+    room.keep(points.bytes())?;
     Triangulation::regular_in(&Arc::new(points), poles.radii_squared(), run).map_err(of_poles)
 }

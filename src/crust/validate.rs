@@ -28,6 +28,8 @@ impl PowerCrust {
             if report.is_valid() {
                 let incidence = self.regular.incidence_in(run)?;
                 let edges = self.regular.edges_in(&incidence, run)?;
+                let mut room = Room::new(run);
+                room.keep(edges.bytes())?;
                 self.check_labels(&mut report, &edges, run)?;
                 run.enter(Stage::Validate)?;
                 self.check_closed(&mut report, run)?;

@@ -73,6 +73,12 @@ impl Dual {
         Ok(Dual { triangulation: triangulation.clone(), centers, radii_squared, rays, facets })
     }
 
+    /// What the centres, radii and rays take.
+    pub(crate) fn bytes(&self) -> usize {
+        (size_of_val(self.centers()) + size_of_val(self.radii_squared()))
+            + (size_of_val(self.rays.facets()) + size_of_val(self.rays.directions()))
+    }
+
     /// The triangulation.
     pub fn triangulation(&self) -> &Arc<Triangulation> {
         &self.triangulation

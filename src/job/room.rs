@@ -22,6 +22,12 @@ impl<'a> Room<'a> {
         Room { run, charges: Vec::new() }
     }
 
+    /// Counts what an earlier stage has made and this one still holds, given as bytes.
+    pub fn keep(&mut self, bytes: usize) -> Result<()> {
+        self.charges.push(self.run.charge(bytes as u64)?);
+        Ok(())
+    }
+
     /// Makes room for `extra` more elements, and no more.
     pub fn reserve<T>(&mut self, vec: &mut Vec<T>, extra: usize) -> Result<()> {
         let bytes = extra.saturating_mul(size_of::<T>());

@@ -180,6 +180,11 @@ impl Points {
         self.skipped_count
     }
 
+    /// What the arrays take.
+    pub(crate) fn bytes(&self) -> usize {
+        size_of_val(self.coords()) + 8 * self.row_count() + 4 * self.len()
+    }
+
     /// The smallest box that holds every point.
     pub fn bounds(&self) -> &Bounds {
         &self.bounds

@@ -66,9 +66,21 @@ impl Poles {
     /// [`Poles::with_far_box`] as a stage of a larger build.
     pub(crate) fn with_far_box_in(points: &Arc<Points>, run: &Run<'_>) -> Result<Self> {
         Triangulation::check_solid(points, run)?;
+        let mut room = Room::new(run);
         let boxed = Arc::new(points.with_far_box_in(run)?);
+        room.keep(boxed.bytes())?;
         let triangulation = Arc::new(Triangulation::delaunay_in(&boxed, run)?);
-        Poles::new_in(&Dual::new_in(&triangulation, DualOptions::default(), run)?, run)
+        room.keep(triangulation.bytes() - boxed.bytes())?;
+        let dual = Dual::new_in(&triangulation, DualOptions::default(), run)?;
+        room.keep(dual.bytes())?;
+        Poles::new_in(&dual, run)
+    }
+
+    /// What the arrays take, those of the triangulation included.
+    pub(crate) fn bytes(&self) -> usize {
+        (size_of_val(self.balls()) + size_of_val(self.radii_squared()) + 5 * self.len())
+            + (size_of_val(self.pole_of_sample()) + size_of_val(self.normals()))
+            + self.triangulation.bytes()
     }
 
     /// Chooses the poles of every sample from the Voronoi diagram of the sample, or of the sample

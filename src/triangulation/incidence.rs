@@ -47,6 +47,13 @@ pub struct Edges {
     pub cells: Vec<u32>,
 }
 
+impl Edges {
+    /// What the arrays take.
+    pub(crate) fn bytes(&self) -> usize {
+        size_of_val(&self.ends[..]) + size_of_val(&self.cells[..])
+    }
+}
+
 impl Triangulation {
     /// The cells of every vertex. Errors: those of the job. Cost: O(n + m).
     pub fn incidence(&self, job: &Job) -> Result<Incidence> {

@@ -28,10 +28,10 @@ pub use incidence::{Edges, Incidence};
 
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::index::NONE;
-use crate::job::{Job, Run, Stage};
+use crate::job::{Job, Room, Run, Stage};
 use crate::points::Points;
 use crate::predicates::{WEIGHT_MAX, WEIGHT_MIN};
-use conflict::{Delaunay, Regular, Site};
+use conflict::{Delaunay, Regular};
 use std::sync::Arc;
 
 /// A Delaunay or regular triangulation: finite cells in canonical order.
@@ -63,9 +63,8 @@ impl Triangulation {
     /// [`Triangulation::delaunay`] as a stage of a larger build.
     pub(crate) fn delaunay_in(points: &Arc<Points>, run: &Run<'_>) -> Result<Self> {
         run.enter(Stage::Triangulate)?;
-        let _charge = run.charge((points.len() * size_of::<Site>()) as u64)?;
-        let mut sites: Vec<Site> = run.try_vec(points.len())?;
-        sites.extend(points.coords().iter().map(|&[x, y, z]| [x, y, z, 0.0]));
+        let mut room = Room::new(run);
+        let sites = room.collect(points.coords().iter().map(|&[x, y, z]| [x, y, z, 0.0]))?;
         let mesh = build::build::<Delaunay>(&sites, run)?;
         let (cells, neighbors) = canonical::canonical(mesh, run)?;
         Ok(Triangulation {
@@ -98,31 +97,38 @@ impl Triangulation {
     /// [`Triangulation::regular`] as a stage of a larger build.
     pub(crate) fn regular_in(points: &Arc<Points>, weights: &[f64], run: &Run<'_>) -> Result<Self> {
         run.enter(Stage::Regular)?;
-        let row_of_vertex = heaviest_rows(points, weights)?;
-        let _charge = run.charge((points.len() * size_of::<Site>()) as u64)?;
-        let mut sites: Vec<Site> = run.try_vec(points.len())?;
-        let weight = |&row: &u32| weights[row as usize] + 0.0;
-        sites.extend(
-            points
-                .coords()
-                .iter()
-                .zip(&row_of_vertex)
-                .map(|(&[x, y, z], row)| [x, y, z, weight(row)]),
-        );
+        let mut room = Room::new(run);
+        let row_of_vertex = heaviest_rows(points, weights, &mut room, run)?;
+        let weight = |row: u32| weights[row as usize] + 0.0;
+        let site = |(&[x, y, z], &row): (&[f64; 3], &u32)| [x, y, z, weight(row)];
+        let sites = room.collect(points.coords().iter().zip(&row_of_vertex).map(site))?;
         let mesh = build::build::<Regular>(&sites, run)?;
         let (cells, neighbors) = canonical::canonical(mesh, run)?;
-        let mut used = vec![false; points.len()];
-        for &vertex in cells.as_flattened() {
-            used[vertex as usize] = true;
+        let mut used = room.filled(points.len(), false)?;
+        for vertex in run.watch(cells.as_flattened()) {
+            used[*vertex? as usize] = true;
         }
+        let mut hidden = Vec::new();
+        for vertex in run.watch((0..points.len() as u32).filter(|&v| !used[v as usize])) {
+            room.push(&mut hidden, vertex?)?;
+        }
+        let weights = room.collect(sites.iter().map(|site| site[3]))?;
         Ok(Triangulation {
             points: points.clone(),
-            weights: sites.iter().map(|site| site[3]).collect(),
+            weights,
             row_of_vertex,
             cells,
             neighbors,
-            hidden: (0..points.len() as u32).filter(|&v| !used[v as usize]).collect(),
+            hidden,
         })
+    }
+
+    /// What the arrays take, those of the points included.
+    pub(crate) fn bytes(&self) -> usize {
+        self.points.bytes()
+            + size_of_val(self.weights())
+            + 4 * (self.row_of_vertex.len() + self.hidden.len())
+            + 2 * size_of_val(self.cells())
     }
 
     /// The points whose distinct positions are the vertices.
@@ -186,15 +192,21 @@ impl Triangulation {
 }
 
 /// For each vertex the first of its heaviest rows, once all weights are found to be in order.
-fn heaviest_rows(points: &Points, weights: &[f64]) -> Result<Vec<u32>> {
+fn heaviest_rows(
+    points: &Points,
+    weights: &[f64],
+    room: &mut Room<'_>,
+    run: &Run<'_>,
+) -> Result<Vec<u32>> {
     if weights.len() != points.row_count() {
         return Err(Error::new(
             Status::Mismatch,
             format!("{} weights for {} rows of points", weights.len(), points.row_count()),
         ));
     }
-    let mut heaviest = points.row_of_vertex().to_vec();
-    for (row, (&weight, &vertex)) in weights.iter().zip(points.vertex_of_row()).enumerate() {
+    let mut heaviest = room.collect(points.row_of_vertex().iter().copied())?;
+    for row in run.watch(weights.iter().zip(points.vertex_of_row()).enumerate()) {
+        let (row, (&weight, &vertex)) = row?;
         if vertex == NONE {
             continue;
         }

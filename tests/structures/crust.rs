@@ -146,6 +146,20 @@ fn moving_keeps_the_topology() {
     assert_eq!(inner(&first), inner(&second));
 }
 
+/// The peak holds all that is there at the end, whichever stage made it.
+#[test]
+fn what_each_stage_leaves_is_counted() {
+    let rows = torus(1.0, 0.4, (60, 30));
+    let job = Job::default();
+    let crust = PowerCrust::build(&points(&rows), PowerCrustOptions::default(), &job).unwrap();
+    let size = |t: &medax::Triangulation| 32 * t.cells().len() + 24 * t.coords().len();
+    let triangulations = size(crust.poles().triangulation()) + size(crust.regular());
+    let complexes = [crust.surface(), crust.inner_shape(), crust.outer_shape()]
+        .map(|complex| 24 * complex.vertices().len() + 16 * complex.triangles().len());
+    let least = triangulations + complexes.iter().max().unwrap();
+    assert!(job.memory_peak() > least as u64, "{} of {least}", job.memory_peak());
+}
+
 #[test]
 fn bad_input_is_an_error() {
     let build = |rows: &[[f64; 3]], deep| {
