@@ -8,13 +8,14 @@ MOVED := $(BUILD)/moved
 COUNTED := --features count-stages --test predicates
 CONFIGURE := cmake -S . -B $(BUILD)/medax
 
-.PHONY: help demo test test-rust test-package bench header doc install clean
+.PHONY: help demo test test-rust test-package bench bench-peers header doc install clean
 .DEFAULT_GOAL := help
 
 help:
 	@echo 'make demo              sample a shape, make its power crust and medial axis, in out/'
 	@echo 'make test              every check and test; installs what they need on Debian'
 	@echo 'make bench             how long each stage takes'
+	@echo 'make bench-peers       triangulations against those of CGAL, in turns'
 	@echo 'make install PREFIX=   the library, its headers and packages, the program'
 	@echo 'make header            write include/medax.h anew from src/capi'
 	@echo 'make doc               the Rust documentation, in target/doc'
@@ -53,6 +54,16 @@ test-package:
 
 bench:
 	cargo bench --locked
+
+# Against CGAL, on the same points: PEERS='--count 100000 --rounds 5 poles', or files of points.
+bench-peers:
+	@cmake/requirements.sh bench-peers
+	$(CONFIGURE) -DCMAKE_INSTALL_PREFIX=$(BUILD)/peers-prefix
+	cmake --build $(BUILD)/medax
+	cmake --install $(BUILD)/medax
+	cmake -S benches/peers -B $(BUILD)/peers -G Ninja -DCMAKE_PREFIX_PATH=$(BUILD)/peers-prefix
+	cmake --build $(BUILD)/peers
+	$(BUILD)/peers/peers $(PEERS)
 
 header:
 	MEDAX_WRITE_HEADER=1 cargo test --locked --test header_drift

@@ -1,12 +1,13 @@
 #!/bin/sh
-# Makes sure that what a make target needs is on this machine: `cmake/requirements.sh demo|install|test`.
+# Makes sure that what a make target needs is on this machine:
+# `cmake/requirements.sh demo|install|test|bench-peers`.
 #
 # What is missing is installed with apt-get where that is possible (root, Debian or a relative of
 # it), and named first. Elsewhere the list is printed and the script fails. Nothing is touched when
 # everything is there.
 set -eu
 
-target=${1:?"usage: $0 demo|install|test"}
+target=${1:?"usage: $0 demo|install|test|bench-peers"}
 packages=''
 others=''
 
@@ -20,20 +21,25 @@ have_header() { printf '#include <%s>\n' "$1" | c++ -std=c++17 -E -x c++ - >/dev
 have cargo || missing_other 'Rust with cargo: https://rustup.rs or your distribution'
 have cc || missing_package gcc
 
-if [ "$target" = install ] || [ "$target" = test ]; then
+if [ "$target" != demo ]; then
     have cmake || missing_package cmake
+fi
+if [ "$target" = test ] || [ "$target" = bench-peers ]; then
+    have c++ || missing_package g++
+    have ninja || missing_package ninja-build
+    have_header CGAL/version.h || missing_package libcgal-dev
+fi
+if [ "$target" = bench-peers ]; then
+    have_header tbb/global_control.h || missing_package libtbb-dev
 fi
 if [ "$target" = test ]; then
     have cargo && {
         cargo fmt --version >/dev/null 2>&1 || missing_other 'rustfmt: rustup component add rustfmt'
         cargo clippy --version >/dev/null 2>&1 || missing_other 'clippy: rustup component add clippy'
     }
-    have c++ || missing_package g++
     have nm || missing_package binutils
-    have ninja || missing_package ninja-build
     have pkg-config || missing_package pkg-config
     have valgrind || missing_package valgrind
-    have_header CGAL/version.h || missing_package libcgal-dev
     have_header OpenMesh/Core/System/config.h || missing_package libopenmesh-dev
 fi
 
