@@ -2,7 +2,7 @@
 
 use super::label::Label;
 use crate::complex::{Attribute, Complex, ComplexParts, Element, Rows, Values};
-use crate::dual::orthocenter;
+use crate::dual::orthocenter_position;
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
 use crate::job::{Room, Run};
@@ -64,10 +64,10 @@ pub(super) fn extract(
         vertex_of_cell[cell] = cells.len() as u32;
         room.push(&mut cells, cell as u32)?;
         let corners = regular.cells()[cell].map(|v| regular.site(v));
-        let center =
-            orthocenter(corners.map(|[x, y, z, _]| [x, y, z]), corners.map(|site| site[3]))
-                .ok_or_else(|| Error::new(Status::Internal, "a cell of a triangulation is flat"))?;
-        room.push(&mut vertices, center.position)?;
+        let points = corners.map(|[x, y, z, _]| [x, y, z]);
+        let position = orthocenter_position(points, corners.map(|site| site[3]))
+            .ok_or_else(|| Error::new(Status::Internal, "a cell of a triangulation is flat"))?;
+        room.push(&mut vertices, position)?;
     }
     let indices =
         room.collect(faces.indices().iter().map(|&cell| vertex_of_cell[cell as usize]))?;

@@ -48,9 +48,16 @@ pub fn orthocenter(points: [[f64; 3]; 4], weights: [f64; 4]) -> Option<Center> {
     center
 }
 
+/// The position alone of [`orthocenter`]: much cheaper where the squared radius is nearly 0, as it is
+/// where many balls pass through one point, and so hard to round.
+pub(crate) fn orthocenter_position(points: [[f64; 3]; 4], weights: [f64; 4]) -> Option<[f64; 3]> {
+    let [center] = solve::<1, false>([points], Some([weights]), [points[0]]);
+    center.map(|center| center.position)
+}
+
 /// The centre of a cell less its first point, each coordinate rounded once; see [`circumcenter`].
 pub(crate) fn offset(cell: Cell) -> Option<[f64; 3]> {
-    let [center] = solve([cell], None, [[0.0; 3]]);
+    let [center] = solve::<1, false>([cell], None, [[0.0; 3]]);
     center.map(|center| center.position)
 }
 
@@ -67,18 +74,19 @@ pub(super) fn centers<const L: usize>(
     cells: [Cell; L],
     weights: Option<[[f64; 4]; L]>,
 ) -> [Option<Center>; L] {
-    solve(cells, weights, cells.map(|cell| cell[0]))
+    solve::<L, true>(cells, weights, cells.map(|cell| cell[0]))
 }
 
-/// The centres with the first points taken for `bases`, and the squared radii.
+/// The centres with the first points taken for `bases`, and the squared radii, which mean nothing without
+/// `RADIUS`.
 #[inline]
-fn solve<const L: usize>(
+fn solve<const L: usize, const RADIUS: bool>(
     cells: [Cell; L],
     weights: Option<[[f64; 4]; L]>,
     bases: [[f64; 3]; L],
 ) -> [Option<Center>; L] {
     let estimates = Estimates::new(cells, weights);
-    let mut centers = estimates.centers(bases);
+    let mut centers = estimates.centers::<RADIUS>(bases);
     for (l, center) in centers.iter_mut().enumerate() {
         if center.is_none() {
             let weights = weights.map(|weights| weights[l]);
@@ -223,7 +231,7 @@ impl<const L: usize> Estimates<L> {
 
     /// The rounded centres, where the rounding of each number is certain.
     #[inline(always)]
-    fn centers(&self, bases: [[f64; 3]; L]) -> [Option<Center>; L] {
+    fn centers<const RADIUS: bool>(&self, bases: [[f64; 3]; L]) -> [Option<Center>; L] {
         let unscale = self.scale.map(|scale| 1.0 / scale);
         // A sum with an exact number: 3u² of both sizes, and 2u² for the rounding of the two ends.
         let position: [[Rounded; L]; 3] = from_fn(|k| {
@@ -241,7 +249,7 @@ impl<const L: usize> Estimates<L> {
             let radius_squared = power[l].value * unscale[l] * unscale[l];
             // Unscaling is exact unless the result is subnormal or infinite.
             let exact = self.scale[l] == 1.0 || radius_squared.is_normal();
-            let sure = exact && power[l].sure && position.iter().all(|p| p[l].sure);
+            let sure = (!RADIUS || (exact && power[l].sure)) && position.iter().all(|p| p[l].sure);
             let position = position.map(|p| p[l].value);
             (sure && self.certain[l]).then_some(Center { position, radius_squared })
         })

@@ -12,7 +12,7 @@ mod rays;
 mod validate;
 
 pub use center::{Center, circumcenter, orthocenter};
-pub(crate) use center::{offset, radius_order};
+pub(crate) use center::{offset, orthocenter_position, radius_order};
 pub(crate) use exact::{direction_sign, dot_sign};
 pub use facets::Facets;
 pub(crate) use normal::unit;

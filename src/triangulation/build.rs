@@ -2,7 +2,7 @@
 
 use super::cavity::Cavity;
 use super::cells::{Cells, Mark};
-use super::conflict::{Conflict, Site, position};
+use super::conflict::{Conflict, Site};
 use super::order::insertion_order;
 use super::walk::Walk;
 use crate::error::{Error, Result, Status};
@@ -17,7 +17,7 @@ const TICK: usize = 64;
 /// Errors: [`Status::TooFewPoints`] below four, [`Status::Degenerate`] for flat sets, and those
 /// of the run.
 pub(super) fn build<'a, C: Conflict>(sites: &[Site], run: &'a Run<'a>) -> Result<Cells<'a>> {
-    let simplex = first_simplex(sites.len(), |v| *position(&sites[v as usize]), run)?;
+    let simplex = first_simplex(sites.len(), |v| *sites[v as usize].position(), run)?;
     let mut mesh = Cells::new(simplex, sites.len(), run)?;
     let mut cavity = Cavity::<C>::new(sites.len(), run)?;
     let mut walk = Walk::new(0);

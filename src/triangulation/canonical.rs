@@ -51,10 +51,11 @@ pub(super) fn canonical(mut mesh: Cells<'_>, run: &Run<'_>) -> Result<CellsAndNe
         order[*slot as usize] = cell as u32;
         *slot += 1;
     }
+    let mut keyed = Vec::new();
     for pair in run.watch(begin.windows(2)) {
         let pair = pair?;
         let cells = &mut order[pair[0] as usize..pair[1] as usize];
-        sort_cells(cells, &mesh.vertices, run)?;
+        sort_cells(cells, &mesh.vertices, &mut keyed, &mut room, run)?;
     }
     let mut rank = room.filled(slots, NONE)?;
     for old in run.watch(order.iter().enumerate()) {
@@ -67,18 +68,30 @@ pub(super) fn canonical(mut mesh: Cells<'_>, run: &Run<'_>) -> Result<CellsAndNe
     Ok((vertices, neighbors))
 }
 
-/// Sorts cells of one least vertex by the three others.
-fn sort_cells(cells: &mut [u32], vertices: &[[u32; 4]], run: &Run<'_>) -> Result<()> {
+/// Sorts cells of one least vertex by the three others; `keyed` is room to work in.
+fn sort_cells(
+    cells: &mut [u32],
+    vertices: &[[u32; 4]],
+    keyed: &mut Vec<(u128, u32)>,
+    room: &mut Room<'_>,
+    run: &Run<'_>,
+) -> Result<()> {
+    // The keys beside the cells: looking them up at each comparison would cost a cache miss.
+    keyed.clear();
+    room.grow(keyed, cells.len())?;
+    keyed.extend(cells.iter().map(|&cell| {
+        let [_, b, c, d] = vertices[cell as usize].map(u128::from);
+        (b << 64 | c << 32 | d, cell)
+    }));
     if cells.len() < MANY {
-        cells.sort_unstable_by_key(|&cell| vertices[cell as usize]);
-        return Ok(());
+        keyed.sort_unstable_by_key(|keyed| keyed.0);
+    } else {
+        sort_by_key(keyed, |keyed| keyed.0 as u64, run)?;
+        sort_by_key(keyed, |keyed| (keyed.0 >> 64) as u64, run)?;
     }
-    let mut sorted = Room::new(run).collect(cells.iter().copied())?;
-    let pair = |a: u32, b: u32| u64::from(a) << 32 | u64::from(b);
-    sort_by_key(&mut sorted, |&cell| u64::from(vertices[cell as usize][3]), run)?;
-    let key = |&cell: &u32| pair(vertices[cell as usize][1], vertices[cell as usize][2]);
-    sort_by_key(&mut sorted, key, run)?;
-    cells.copy_from_slice(&sorted);
+    for (cell, keyed) in cells.iter_mut().zip(keyed) {
+        *cell = keyed.1;
+    }
     Ok(())
 }
 

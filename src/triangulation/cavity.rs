@@ -2,7 +2,7 @@
 //! with the star of the point (Bowyer 1981, Watson 1981).
 
 use super::cells::{Cells, FACET, Mark};
-use super::conflict::{Conflict, Site, position};
+use super::conflict::{Conflict, Site};
 use super::star::Star;
 use crate::error::Result;
 use crate::job::Run;
@@ -113,13 +113,18 @@ impl<C: Conflict> Cavity<C> {
         let mut cell = 0;
         for (i, facet) in self.boundary.iter_mut().enumerate() {
             let slot = facet.slot as usize;
-            facet.vertices[slot] = vertex;
+            // All four at once: a store of one, and a load of four right after it, would wait for
+            // each other.
+            let vertices = [0, 1, 2, 3].map(|k| match k == slot {
+                true => vertex,
+                false => facet.vertices[k],
+            });
             cell = match self.cells.get(i).copied().or_else(|| mesh.free.pop()) {
                 Some(cell) => {
-                    mesh.vertices[cell as usize] = facet.vertices;
+                    mesh.vertices[cell as usize] = vertices;
                     cell
                 }
-                None => mesh.push(facet.vertices),
+                None => mesh.push(vertices),
             };
             mesh.marks[(facet.outer >> 2) as usize] = Mark::Unknown;
             mesh.link(4 * cell + facet.slot, facet.outer);
@@ -155,7 +160,8 @@ impl<C: Conflict> Cavity<C> {
         if d != mesh.infinite {
             return C::in_conflict(site(a), site(b), site(c), site(d), point);
         }
-        match orient3d(position(site(a)), position(site(b)), position(site(c)), position(point)) {
+        match orient3d(site(a).position(), site(b).position(), site(c).position(), point.position())
+        {
             Sign::Positive => true,
             Sign::Negative => false,
             // In the plane of the hull facet the circle decides, and it is where the plane

@@ -2,10 +2,18 @@
 
 use crate::predicates;
 
-pub(super) use crate::predicates::position;
+/// A point with its weight: x, y, z, weight. Half a cache line, and never in two of them.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(32))]
+pub(super) struct Site(pub [f64; 4]);
 
-/// A point with its weight.
-pub(super) type Site = [f64; 4];
+impl Site {
+    /// The point without its weight.
+    #[inline(always)]
+    pub fn position(&self) -> &[f64; 3] {
+        predicates::position(&self.0)
+    }
+}
 
 /// Decides whether a point is in conflict with a positively oriented finite cell.
 ///
@@ -20,7 +28,7 @@ pub(super) struct Delaunay;
 impl Conflict for Delaunay {
     #[inline]
     fn in_conflict(a: &Site, b: &Site, c: &Site, d: &Site, point: &Site) -> bool {
-        predicates::delaunay_conflict(a, b, c, d, point)
+        predicates::delaunay_conflict(&a.0, &b.0, &c.0, &d.0, &point.0)
     }
 }
 
@@ -30,6 +38,6 @@ pub(super) struct Regular;
 impl Conflict for Regular {
     #[inline]
     fn in_conflict(a: &Site, b: &Site, c: &Site, d: &Site, point: &Site) -> bool {
-        predicates::regular_conflict(a, b, c, d, point)
+        predicates::regular_conflict(&a.0, &b.0, &c.0, &d.0, &point.0)
     }
 }

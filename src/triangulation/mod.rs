@@ -31,7 +31,7 @@ use crate::index::NONE;
 use crate::job::{Job, Room, Run, Stage};
 use crate::points::Points;
 use crate::predicates::{WEIGHT_MAX, WEIGHT_MIN};
-use conflict::{Delaunay, Regular};
+use conflict::{Delaunay, Regular, Site};
 use std::sync::Arc;
 
 /// A Delaunay or regular triangulation: finite cells in canonical order.
@@ -64,7 +64,7 @@ impl Triangulation {
     pub(crate) fn delaunay_in(points: &Arc<Points>, run: &Run<'_>) -> Result<Self> {
         run.enter(Stage::Triangulate)?;
         let mut room = Room::new(run);
-        let sites = room.collect(points.coords().iter().map(|&[x, y, z]| [x, y, z, 0.0]))?;
+        let sites = room.collect(points.coords().iter().map(|&[x, y, z]| Site([x, y, z, 0.0])))?;
         let mesh = build::build::<Delaunay>(&sites, run)?;
         let (cells, neighbors) = canonical::canonical(mesh, run)?;
         Ok(Triangulation {
@@ -100,7 +100,7 @@ impl Triangulation {
         let mut room = Room::new(run);
         let row_of_vertex = heaviest_rows(points, weights, &mut room, run)?;
         let weight = |row: u32| weights[row as usize] + 0.0;
-        let site = |(&[x, y, z], &row): (&[f64; 3], &u32)| [x, y, z, weight(row)];
+        let site = |(&[x, y, z], &row): (&[f64; 3], &u32)| Site([x, y, z, weight(row)]);
         let sites = room.collect(points.coords().iter().zip(&row_of_vertex).map(site))?;
         let mesh = build::build::<Regular>(&sites, run)?;
         let (cells, neighbors) = canonical::canonical(mesh, run)?;
@@ -112,7 +112,7 @@ impl Triangulation {
         for vertex in run.watch((0..points.len() as u32).filter(|&v| !used[v as usize])) {
             room.push(&mut hidden, vertex?)?;
         }
-        let weights = room.collect(sites.iter().map(|site| site[3]))?;
+        let weights = room.collect(sites.iter().map(|site| site.0[3]))?;
         Ok(Triangulation {
             points: points.clone(),
             weights,

@@ -2,7 +2,7 @@
 
 use super::Triangulation;
 use super::cells::FACET;
-use super::conflict::{Conflict, Delaunay, Regular, Site, position};
+use super::conflict::{Conflict, Delaunay, Regular, Site};
 use crate::error::{ElementKind, Result};
 use crate::index::NONE;
 use crate::job::{Job, Room, Run, Stage};
@@ -64,8 +64,8 @@ impl Triangulation {
             report.check(first, ElementKind::Cell, id, || "its vertices are out of order".into());
             let after = cell == 0 || self.cells[cell - 1] < *corners;
             report.check(after, ElementKind::Cell, id, || "it is out of order".into());
-            let sites = corners.map(|v| self.site(v));
-            let [p, q, r, s] = sites.each_ref().map(position);
+            let sites = corners.map(|v| Site(self.site(v)));
+            let [p, q, r, s] = sites.each_ref().map(Site::position);
             report.check(orient3d(p, q, r, s) == Sign::Positive, ElementKind::Cell, id, || {
                 "it is not positively oriented".into()
             });
@@ -82,7 +82,7 @@ impl Triangulation {
                     });
                     continue;
                 };
-                let apex = self.site(self.cells[neighbor as usize][back]);
+                let apex = Site(self.site(self.cells[neighbor as usize][back]));
                 report.check(!self.in_conflict(&sites, &apex), ElementKind::Cell, id, || {
                     format!(
                         "the vertex of cell {neighbor} beyond facet {slot} is in conflict with it"
@@ -190,11 +190,11 @@ impl Triangulation {
         let mut cell = 0;
         for &vertex in &self.hidden {
             run.poll()?;
-            let site = self.site(vertex);
-            let found = self.locate(*position(&site), cell)?;
+            let site = Site(self.site(vertex));
+            let found = self.locate(*site.position(), cell)?;
             let rightly = found.is_some_and(|found| {
                 cell = found;
-                !self.in_conflict(&self.cells[found as usize].map(|v| self.site(v)), &site)
+                !self.in_conflict(&self.cells[found as usize].map(|v| Site(self.site(v))), &site)
             });
             report.check(rightly, ElementKind::Vertex, u64::from(vertex), || {
                 "it is hidden, but in conflict with the cell that holds it".into()

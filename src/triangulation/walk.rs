@@ -1,7 +1,7 @@
 //! Point location in the triangulation under construction.
 
 use super::cells::Cells;
-use super::conflict::{Site, position};
+use super::conflict::Site;
 use crate::predicates::{Sign, orient3d};
 
 /// The state of the walks: where the next one starts, and the order in which it tries facets.
@@ -27,14 +27,14 @@ impl Walk {
         if mesh.is_infinite(cell) {
             cell = mesh.neighbors[cell as usize][3] >> 2;
         }
-        let point = position(point);
+        let point = point.position();
         let mut entered = u32::MAX;
         'walk: loop {
             let vertices = mesh.vertices[cell as usize];
             if vertices[3] == mesh.infinite {
                 return cell;
             }
-            let corners = vertices.map(|v| position(&sites[v as usize]));
+            let corners = vertices.map(|v| sites[v as usize].position());
             let first = self.next_random();
             for step in 0..4 {
                 let slot = ((first + step) & 3) as usize;
