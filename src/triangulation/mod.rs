@@ -63,9 +63,12 @@ impl Triangulation {
     /// [`Triangulation::delaunay`] as a stage of a larger build.
     pub(crate) fn delaunay_in(points: &Arc<Points>, run: &Run<'_>) -> Result<Self> {
         run.enter(Stage::Triangulate)?;
-        let mut room = Room::new(run);
-        let sites = room.collect(points.coords().iter().map(|&[x, y, z]| Site([x, y, z, 0.0])))?;
+        // The sites are not needed any longer where the cells are ordered, and need the most memory.
+        let mut of_sites = Room::new(run);
+        let sites =
+            of_sites.collect(points.coords().iter().map(|&[x, y, z]| Site([x, y, z, 0.0])))?;
         let mesh = build::build::<Delaunay>(&sites, run)?;
+        drop((sites, of_sites));
         let (cells, neighbors) = canonical::canonical(mesh, run)?;
         Ok(Triangulation {
             points: points.clone(),
@@ -101,8 +104,11 @@ impl Triangulation {
         let row_of_vertex = heaviest_rows(points, weights, &mut room, run)?;
         let weight = |row: u32| weights[row as usize] + 0.0;
         let site = |(&[x, y, z], &row): (&[f64; 3], &u32)| Site([x, y, z, weight(row)]);
-        let sites = room.collect(points.coords().iter().zip(&row_of_vertex).map(site))?;
+        let mut of_sites = Room::new(run);
+        let sites = of_sites.collect(points.coords().iter().zip(&row_of_vertex).map(site))?;
         let mesh = build::build::<Regular>(&sites, run)?;
+        let weights = room.collect(sites.iter().map(|site| site.0[3]))?;
+        drop((sites, of_sites));
         let (cells, neighbors) = canonical::canonical(mesh, run)?;
         let mut used = room.filled(points.len(), false)?;
         for vertex in run.watch(cells.as_flattened()) {
@@ -112,7 +118,6 @@ impl Triangulation {
         for vertex in run.watch((0..points.len() as u32).filter(|&v| !used[v as usize])) {
             room.push(&mut hidden, vertex?)?;
         }
-        let weights = room.collect(sites.iter().map(|site| site.0[3]))?;
         Ok(Triangulation {
             points: points.clone(),
             weights,

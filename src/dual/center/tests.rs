@@ -63,7 +63,7 @@ fn check(points: Cell, weights: Option<[f64; 4]>) -> Result<(), TestCaseError> {
         return Ok(());
     };
     let found = found.unwrap();
-    let [from_first] = solve([points], weights.map(|w| [w]), [[0.0; 3]]);
+    let [from_first] = solve::<1, true>([points], weights.map(|w| [w]), [[0.0; 3]]);
     let offset = from_first.unwrap().position;
     for k in 0..3 {
         prop_assert!(is_nearest(found.position[k], &center[k]), "coordinate {k}: {found:?}");
@@ -210,7 +210,7 @@ fn lattice_cells(x: [f64; 2], y: [f64; 2], z: [f64; 2]) -> Vec<Cell> {
 /// The center, if it needs no large integers.
 fn quickly(points: Cell, weights: Option<[f64; 4]>) -> Option<Center> {
     let estimates = Estimates::new([points], weights.map(|w| [w]));
-    let [center] = estimates.centers([points[0]]);
+    let [center] = estimates.centers::<true>([points[0]]);
     center.or_else(|| exact::on_grid(points, weights, points[0], estimates.offset(0)?))
 }
 
@@ -233,7 +233,7 @@ fn lattices_need_no_large_integers() {
     // Around the origin every coordinate of the center is 0, which no error bound can show.
     for points in lattice_cells([-0.1, 0.1], [-0.3, 0.3], [-0.7, 0.7]) {
         assert_eq!(quickly(points, None).unwrap().position, [0.0; 3]);
-        assert!(Estimates::new([points], None).centers([points[0]]) == [None]);
+        assert!(Estimates::new([points], None).centers::<true>([points[0]]) == [None]);
     }
 }
 
@@ -246,7 +246,7 @@ fn random_cells_need_no_large_integers() {
     };
     for _ in 0..10_000 {
         let points: Cell = std::array::from_fn(|_| std::array::from_fn(|_| next()));
-        let [center] = Estimates::new([points], None).centers([points[0]]);
+        let [center] = Estimates::new([points], None).centers::<true>([points[0]]);
         assert!(center.is_some());
         assert_eq!(center, exact::by_integers(points, None, points[0]));
     }
