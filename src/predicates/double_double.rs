@@ -93,9 +93,16 @@ impl<const L: usize> Pairs<L> {
     /// The products.
     #[inline(always)]
     pub(crate) fn mul(&self, other: &Self) -> Self {
+        self.times::<false>(other)
+    }
+
+    /// The same products by fused multiply-adds, if `FMA`: for functions that are compiled for processors
+    /// which have them, see `processor.rs`. On others they would cost a call.
+    #[inline(always)]
+    pub(super) fn times<const FMA: bool>(&self, other: &Self) -> Self {
         Self::of(|i| {
             let hi = self.hi[i] * other.hi[i];
-            let error = two_product_error(self.hi[i], other.hi[i], hi);
+            let error = two_product_error::<FMA>(self.hi[i], other.hi[i], hi);
             (hi, error + (self.hi[i] * other.lo[i] + self.lo[i] * other.hi[i]))
         })
     }
@@ -111,12 +118,10 @@ pub(crate) fn two_sum_error(a: f64, b: f64, sum: f64) -> f64 {
 
 /// a * b - fl(a * b), exactly (Dekker 1971; Shewchuk 1997, theorem 18).
 ///
-/// With a fused multiply-add the same value in one instruction. It is used where the program is
-/// compiled for processors that have it, never chosen at run time; the value does not depend
-/// on it.
+/// With a fused multiply-add the same value in one instruction: it changes the time, never the value.
 #[inline(always)]
-pub(crate) fn two_product_error(a: f64, b: f64, product: f64) -> f64 {
-    if cfg!(target_feature = "fma") {
+pub(crate) fn two_product_error<const FMA: bool>(a: f64, b: f64, product: f64) -> f64 {
+    if FMA || cfg!(target_feature = "fma") {
         return a.mul_add(b, -product);
     }
     let (a_high, a_low) = split(a);

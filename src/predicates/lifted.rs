@@ -55,6 +55,7 @@ use super::double_double::Pairs;
 use super::exact;
 use super::grid::{is_multiple, step};
 use super::position;
+use super::processor;
 use super::sign::Sign;
 use super::stages::{self, Stage};
 use std::array::from_fn;
@@ -98,7 +99,7 @@ fn further<const WEIGHTED: bool>(points: [&[f64; 4]; 5], determinant: f64, produ
         stages::count(Stage::Permanent);
         return -Sign::of(determinant);
     }
-    let determinant = pairs::<WEIGHTED>(points);
+    let determinant = processor::pairs::<WEIGHTED>(points);
     if determinant.abs() > PAIRS_BOUND * product + TINY {
         stages::count(Stage::Pairs);
         return -Sign::of(determinant);
@@ -169,29 +170,35 @@ fn laplace<const PERMANENT: bool>([x, y, z, l]: [Column; 4]) -> f64 {
     sub(sub(sides[0] + sides[2], sides[1] + sides[3]), diagonals[0] + diagonals[1])
 }
 
-/// The determinant in pairs of floats.
+/// The determinant in pairs of floats, with fused multiply-adds if `FMA`.
 #[inline(always)]
-pub(super) fn pairs<const WEIGHTED: bool>([a, b, c, d, e]: [&[f64; 4]; 5]) -> f64 {
+pub(super) fn pairs<const WEIGHTED: bool, const FMA: bool>([a, b, c, d, e]: [&[f64; 4]; 5]) -> f64 {
     let column = |i: usize| Pairs::difference([a[i], b[i], c[i], d[i]], [e[i]; 4]);
     let [x, y, z] = [column(0), column(1), column(2)];
-    let mut l = x.mul(&x).add(&y.mul(&y)).add(&z.mul(&z));
+    let mut l = x.times::<FMA>(&x).add(&y.times::<FMA>(&y)).add(&z.times::<FMA>(&z));
     if WEIGHTED {
         l = l.sub(&column(3));
     }
-    let ring = |p: &Pairs<4>, q: &Pairs<4>| {
-        let next = [1, 2, 3, 0];
-        p.mul(&q.pick(next)).sub(&p.pick(next).mul(q))
-    };
-    let diagonal = |p: &Pairs<4>, q: &Pairs<4>| {
-        let (p, p_next) = (p.pick([0, 1]), p.pick([2, 3]));
-        p.mul(&q.pick([2, 3])).sub(&p_next.mul(&q.pick([0, 1])))
-    };
-    let sides = ring(&x, &y).mul(&ring(&z, &l).pick([2, 3, 0, 1]));
-    let diagonals = diagonal(&x, &y).mul(&diagonal(&z, &l).pick([1, 0]));
+    let sides = ring::<FMA>(&x, &y).times::<FMA>(&ring::<FMA>(&z, &l).pick([2, 3, 0, 1]));
+    let diagonals = diagonal::<FMA>(&x, &y).times::<FMA>(&diagonal::<FMA>(&z, &l).pick([1, 0]));
     let sides = sides.pick([0, 1]).add(&sides.pick([2, 3]));
     let sides = sides.pick([0]).sub(&sides.pick([1]));
     let determinant = sides.sub(&diagonals.pick([0]).add(&diagonals.pick([1])));
     determinant.hi[0] + determinant.lo[0]
+}
+
+/// The minors of the rows ab, bc, cd, da in two columns.
+#[inline(always)]
+fn ring<const FMA: bool>(p: &Pairs<4>, q: &Pairs<4>) -> Pairs<4> {
+    let next = [1, 2, 3, 0];
+    p.times::<FMA>(&q.pick(next)).sub(&p.pick(next).times::<FMA>(q))
+}
+
+/// The minors of the rows ac and bd in two columns.
+#[inline(always)]
+fn diagonal<const FMA: bool>(p: &Pairs<4>, q: &Pairs<4>) -> Pairs<2> {
+    let (p, p_next) = (p.pick([0, 1]), p.pick([2, 3]));
+    p.times::<FMA>(&q.pick([2, 3])).sub(&p_next.times::<FMA>(&q.pick([0, 1])))
 }
 
 /// Whether the coordinates are multiples of 2^k, and the weights of 2^(2 k).

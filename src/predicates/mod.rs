@@ -27,6 +27,7 @@ mod integer;
 mod lifted;
 mod orient;
 mod perturb;
+mod processor;
 mod sign;
 mod sphere;
 #[cfg(feature = "count-stages")]

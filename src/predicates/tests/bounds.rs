@@ -34,7 +34,7 @@ fn stages<const WEIGHTED: bool>() -> [usize; 5] {
                 settled[2] += 1;
             }
 
-            let determinant = pairs::<WEIGHTED>(points);
+            let determinant = pairs::<WEIGHTED, false>(points);
             let error = (rational(determinant) - &value).abs();
             let bound = PAIRS_BOUND * product + TINY;
             // Adding the two parts of the pair rounds once more.
