@@ -84,13 +84,16 @@ pub(super) fn conflict<const WEIGHTED: bool>(points: [&[f64; 4]; 5]) -> Sign {
         stages::count(Stage::Maximum);
         return -Sign::of(determinant);
     }
-    further::<WEIGHTED>(points, determinant, product)
+    processor::further::<WEIGHTED>(points, determinant, product)
 }
 
 /// The stages after the first, given its determinant and X Y Z M.
-#[cold]
-#[inline(never)]
-fn further<const WEIGHTED: bool>(points: [&[f64; 4]; 5], determinant: f64, product: f64) -> Sign {
+#[inline(always)]
+pub(super) fn further<const WEIGHTED: bool, const FMA: bool>(
+    points: [&[f64; 4]; 5],
+    determinant: f64,
+    product: f64,
+) -> Sign {
     if on_grid::<WEIGHTED>(points, exact_step(product)) {
         stages::count(Stage::Grid);
         return -Sign::of(determinant);
@@ -99,7 +102,7 @@ fn further<const WEIGHTED: bool>(points: [&[f64; 4]; 5], determinant: f64, produ
         stages::count(Stage::Permanent);
         return -Sign::of(determinant);
     }
-    let determinant = processor::pairs::<WEIGHTED>(points);
+    let determinant = pairs::<WEIGHTED, FMA>(points);
     if determinant.abs() > PAIRS_BOUND * product + TINY {
         stages::count(Stage::Pairs);
         return -Sign::of(determinant);

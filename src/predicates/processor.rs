@@ -3,23 +3,38 @@
 #![allow(unsafe_code)]
 
 use super::lifted;
+use super::sign::Sign;
 
-/// [`lifted::pairs`] as fast as the processor can.
-#[inline(always)]
-pub(super) fn pairs<const WEIGHTED: bool>(points: [&[f64; 4]; 5]) -> f64 {
+/// [`lifted::further`] as fast as the processor can.
+#[cold]
+#[inline(never)]
+pub(super) fn further<const WEIGHTED: bool>(
+    points: [&[f64; 4]; 5],
+    determinant: f64,
+    product: f64,
+) -> Sign {
     #[cfg(target_arch = "x86_64")]
-    if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
+    if has_fma() {
         // SAFETY: the processor has every feature that the function is compiled for; there is no other
         // condition.
-        return unsafe { pairs_by_fma::<WEIGHTED>(points) };
+        return unsafe { further_by_fma::<WEIGHTED>(points, determinant, product) };
     }
-    lifted::pairs::<WEIGHTED, false>(points)
+    lifted::further::<WEIGHTED, false>(points, determinant, product)
+}
+
+#[cfg(target_arch = "x86_64")]
+fn has_fma() -> bool {
+    is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma")]
-fn pairs_by_fma<const WEIGHTED: bool>(points: [&[f64; 4]; 5]) -> f64 {
-    lifted::pairs::<WEIGHTED, true>(points)
+fn further_by_fma<const WEIGHTED: bool>(
+    points: [&[f64; 4]; 5],
+    determinant: f64,
+    product: f64,
+) -> Sign {
+    lifted::further::<WEIGHTED, true>(points, determinant, product)
 }
 
 #[cfg(test)]
@@ -42,10 +57,19 @@ mod tests {
         #[test]
         fn the_processor_changes_no_bit(points in points()) {
             let rows = points.each_ref();
-            let expected = lifted::pairs::<false, false>(rows);
-            prop_assert_eq!(pairs::<false>(rows), expected);
-            let expected = lifted::pairs::<true, false>(rows);
-            prop_assert_eq!(pairs::<true>(rows), expected);
+            // By instruction where there is one, else by a library: fused all the same.
+            let (plain, fused) =
+                (lifted::pairs::<false, false>(rows), lifted::pairs::<false, true>(rows));
+            prop_assert_eq!(plain, fused);
+            let (plain, fused) =
+                (lifted::pairs::<true, false>(rows), lifted::pairs::<true, true>(rows));
+            prop_assert_eq!(plain, fused);
+            // From the stages after the first, too.
+            let (determinant, product) = lifted::floats::<true>(rows);
+            prop_assert_eq!(
+                further::<true>(rows, determinant, product),
+                lifted::further::<true, false>(rows, determinant, product)
+            );
         }
     }
 }
