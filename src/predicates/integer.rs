@@ -11,11 +11,11 @@ use std::ops::{Add, Neg, Sub};
 
 /// An integer modulo 2^(64 N), read as two's complement; least significant limb first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Int<const N: usize>([u64; N]);
+pub(crate) struct Int<const N: usize>([u64; N]);
 
 impl<const N: usize> Int<N> {
     /// `x` divided by 2^unit, for an `x` that is a multiple of it.
-    pub(super) fn of(x: f64, unit: i32) -> Self {
+    pub(crate) fn of(x: f64, unit: i32) -> Self {
         let mut limbs = [0; N];
         if x != 0.0 {
             let (mantissa, exponent) = decode(x);
@@ -52,7 +52,7 @@ impl<const N: usize> Int<N> {
     }
 
     /// The product, exactly: `R` is the sum of the lengths of the factors.
-    pub(super) fn times<const M: usize, const R: usize>(self, other: Int<M>) -> Int<R> {
+    pub(crate) fn times<const M: usize, const R: usize>(self, other: Int<M>) -> Int<R> {
         const { assert!(R == N + M) }
         let mut limbs = [0; R];
         for i in 0..N {
@@ -78,7 +78,7 @@ impl<const N: usize> Int<N> {
     }
 
     /// The sign.
-    pub(super) fn sign(self) -> Sign {
+    pub(crate) fn sign(self) -> Sign {
         if self.is_negative() {
             Sign::Negative
         } else if self.0.iter().all(|&limb| limb == 0) {

@@ -23,7 +23,7 @@
 pub(crate) mod double_double;
 mod exact;
 mod grid;
-mod integer;
+pub(crate) mod integer;
 mod lifted;
 mod orient;
 mod perturb;
