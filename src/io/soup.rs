@@ -2,10 +2,8 @@
 
 use crate::complex::{Attribute, Complex, ComplexParts, Element, Rows, Values};
 use crate::error::{ElementKind, Error, Result, Status};
-use crate::job::{Charge, Job, Run, Stage};
+use crate::job::{Job, Room, Run, Stage};
 use crate::points::{Points, PointsOptions};
-use std::collections::HashMap;
-use std::hash::Hash;
 
 /// The contents of a file, in the file's order: rows of vertices, faces, edges, attributes.
 ///
@@ -151,59 +149,6 @@ impl Soup {
 fn kept_rows<T: Copy>(values: &[T], width: usize, keep: &[bool]) -> Vec<T> {
     let rows = values.chunks_exact(width).zip(keep);
     rows.filter(|(_, keep)| **keep).flat_map(|(row, _)| row).copied().collect()
-}
-
-/// Room for arrays that grow, counted against the job's memory ceiling as they do.
-pub(super) struct Room<'a> {
-    run: &'a Run<'a>,
-    charges: Vec<Charge<'a>>,
-}
-
-impl<'a> Room<'a> {
-    pub fn new(run: &'a Run<'a>) -> Self {
-        Room { run, charges: Vec::new() }
-    }
-
-    fn charge<T>(&mut self, extra: usize) -> Result<usize> {
-        let bytes = extra.saturating_mul(size_of::<T>());
-        self.charges.push(self.run.charge(bytes as u64)?);
-        Ok(bytes)
-    }
-
-    /// Makes room for `extra` more elements.
-    pub fn reserve<T>(&mut self, vec: &mut Vec<T>, extra: usize) -> Result<()> {
-        let bytes = self.charge::<T>(extra)?;
-        vec.try_reserve_exact(extra).map_err(|_| out_of_memory(bytes))
-    }
-
-    /// Appends an element; the room doubles when it is used up.
-    pub fn push<T>(&mut self, vec: &mut Vec<T>, value: T) -> Result<()> {
-        if vec.len() == vec.capacity() {
-            self.reserve(vec, vec.len().max(64))?;
-        }
-        vec.push(value);
-        Ok(())
-    }
-
-    /// Inserts an entry; the room doubles when it is used up.
-    pub fn insert<K: Eq + Hash, V>(
-        &mut self,
-        map: &mut HashMap<K, V>,
-        key: K,
-        value: V,
-    ) -> Result<()> {
-        if map.len() == map.capacity() {
-            let extra = map.len().max(64);
-            let bytes = self.charge::<(K, V)>(extra)?;
-            map.try_reserve(extra).map_err(|_| out_of_memory(bytes))?;
-        }
-        map.insert(key, value);
-        Ok(())
-    }
-}
-
-fn out_of_memory(bytes: usize) -> Error {
-    Error::new(Status::OutOfMemory, format!("{bytes} bytes are not to be had"))
 }
 
 /// A [`Soup`] in the making.

@@ -345,10 +345,8 @@ impl<'a> Run<'a> {
     /// A vector with room for `capacity` elements, or [`Status::OutOfMemory`] instead of an abort.
     pub fn try_vec<T>(&self, capacity: usize) -> Result<Vec<T>> {
         let mut vec = Vec::new();
-        vec.try_reserve_exact(capacity).map_err(|_| {
-            let bytes = capacity.saturating_mul(size_of::<T>());
-            Error::new(Status::OutOfMemory, format!("{bytes} bytes are not to be had"))
-        })?;
+        let bytes = capacity.saturating_mul(size_of::<T>());
+        vec.try_reserve_exact(capacity).map_err(|_| room::out_of_memory(bytes))?;
         Ok(vec)
     }
 

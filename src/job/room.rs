@@ -2,6 +2,8 @@
 
 use super::{Charge, Run};
 use crate::error::{Error, Result, Status};
+use std::collections::HashMap;
+use std::hash::Hash;
 
 /// The items between two polls.
 const BATCH: usize = 1 << 14;
@@ -31,10 +33,8 @@ impl<'a> Room<'a> {
     /// Makes room for `extra` more elements, and no more.
     pub fn reserve<T>(&mut self, vec: &mut Vec<T>, extra: usize) -> Result<()> {
         let bytes = extra.saturating_mul(size_of::<T>());
-        self.charges.push(self.run.charge(bytes as u64)?);
-        vec.try_reserve_exact(extra).map_err(|_| {
-            Error::new(Status::OutOfMemory, format!("{bytes} bytes are not to be had"))
-        })
+        self.keep(bytes)?;
+        vec.try_reserve_exact(extra).map_err(|_| out_of_memory(bytes))
     }
 
     /// Makes room for `extra` more elements; the room doubles when it is used up.
@@ -52,6 +52,23 @@ impl<'a> Room<'a> {
             self.grow(vec, 1)?;
         }
         vec.push(value);
+        Ok(())
+    }
+
+    /// Inserts an entry; the room doubles when it is used up.
+    pub fn insert<K: Eq + Hash, V>(
+        &mut self,
+        map: &mut HashMap<K, V>,
+        key: K,
+        value: V,
+    ) -> Result<()> {
+        if map.len() == map.capacity() {
+            let extra = map.len().max(64);
+            let bytes = extra.saturating_mul(size_of::<(K, V)>());
+            self.keep(bytes)?;
+            map.try_reserve(extra).map_err(|_| out_of_memory(bytes))?;
+        }
+        map.insert(key, value);
         Ok(())
     }
 
@@ -79,6 +96,10 @@ impl<'a> Room<'a> {
         }
         Ok(vec)
     }
+}
+
+pub(super) fn out_of_memory(bytes: usize) -> Error {
+    Error::new(Status::OutOfMemory, format!("{bytes} bytes are not to be had"))
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use super::Type;
 use super::body::Number;
 use crate::complex::{Attribute, Element, Values};
 use crate::error::Result;
-use crate::io::soup::Room;
+use crate::job::Room;
 
 /// The values of one property, as they are read.
 pub(super) struct Column {
