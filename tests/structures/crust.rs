@@ -2,7 +2,7 @@
 
 use crate::sets::{self, Random, Set};
 use medax::crust::{Label, PowerCrustOptions};
-use medax::{Job, Points, PowerCrust, Status};
+use medax::{Job, Points, Poles, PowerCrust, Status};
 use std::sync::Arc;
 
 fn points(rows: &[[f64; 3]]) -> Arc<Points> {
@@ -146,18 +146,40 @@ fn moving_keeps_the_topology() {
     assert_eq!(inner(&first), inner(&second));
 }
 
-/// The peak holds all that is there at the end, whichever stage made it.
+/// A stage needs its own memory besides what earlier stages have left.
 #[test]
 fn what_each_stage_leaves_is_counted() {
-    let rows = torus(1.0, 0.4, (60, 30));
-    let job = Job::default();
-    let crust = PowerCrust::build(&points(&rows), PowerCrustOptions::default(), &job).unwrap();
+    let rows = points(&torus(1.0, 0.4, (60, 30)));
+    let peak = |build: &dyn Fn(&Job)| {
+        let job = Job::default();
+        build(&job);
+        job.memory_peak() as usize
+    };
+    let options = PowerCrustOptions::default();
+    let crust = PowerCrust::build(&rows, options, &Job::default()).unwrap();
+    let (poles, regular, surface) = (crust.poles(), crust.regular(), crust.surface());
     let size = |t: &medax::Triangulation| 32 * t.cells().len() + 24 * t.coords().len();
-    let triangulations = size(crust.poles().triangulation()) + size(crust.regular());
-    let complexes = [crust.surface(), crust.inner_shape(), crust.outer_shape()]
-        .map(|complex| 24 * complex.vertices().len() + 16 * complex.triangles().len());
-    let least = triangulations + complexes.iter().max().unwrap();
-    assert!(job.memory_peak() > least as u64, "{} of {least}", job.memory_peak());
+    // While poles are chosen there are the triangulation and the centres of its cells.
+    let of_poles = peak(&|job| drop(Poles::with_far_box(&rows, job).unwrap()));
+    let least = size(poles.triangulation()) + 32 * poles.triangulation().cells().len();
+    assert!(of_poles > least, "{of_poles} of {least}");
+    // While the surface is extracted there are the regular triangulation and its edges; two numbers a cell of
+    // it; and for the surface rings as cells and as vertices, two poles a face, positions, triangles.
+    let of_crust = peak(&|job| drop(PowerCrust::from_poles(poles, options, job).unwrap()));
+    let incidence = regular.incidence(&Job::default()).unwrap();
+    let edges = regular.edges(&incidence, &Job::default()).unwrap();
+    let least = size(regular)
+        + 12 * edges.ends.len()
+        + 5 * regular.cells().len()
+        + 8 * surface.faces().indices().len()
+        + 16 * surface.faces().len()
+        + 28 * surface.vertices().len()
+        + 16 * surface.triangles().len();
+    assert!(of_crust > least, "{of_crust} of {least}");
+    // And all the time what the poles were chosen from.
+    let of_all = peak(&|job| drop(PowerCrust::build(&rows, options, job).unwrap()));
+    let least = of_crust + size(poles.triangulation());
+    assert!(of_all > least, "{of_all} of {least}");
 }
 
 #[test]
