@@ -20,23 +20,26 @@
 //!   determinant of three coordinates and one lifted value, high part or low, is a multiple of
 //!   2^(-3 * 212 - 424) = 2^-1060. Floats of that size are exact down to 2^-1074.
 
+pub(crate) mod around;
 pub(crate) mod double_double;
 mod exact;
 mod grid;
 pub(crate) mod integer;
+pub(crate) mod lanes;
 mod lifted;
 mod orient;
 mod perturb;
-mod processor;
+pub(crate) mod processor;
 mod sign;
 mod sphere;
 #[cfg(feature = "count-stages")]
 pub mod stages;
 #[cfg(not(feature = "count-stages"))]
-mod stages;
+pub(crate) mod stages;
 
 pub use orient::{collinear, coplanar_orientation, orient3d};
 pub use perturb::{delaunay_conflict, regular_conflict};
+pub(crate) use perturb::{in_conflict, settle};
 pub use sign::Sign;
 pub use sphere::{insphere, power_test};
 

@@ -13,6 +13,9 @@ use super::grid::{is_multiple, step};
 use super::lifted::{UNIT, larger};
 use super::sign::Sign;
 
+/// Times X Y Z: bounds the error of an orientation in floats.
+pub(super) const ORIENT_BOUND: f64 = 50.0 * UNIT;
+
 /// The orientation of a, b, c, d: the sign of the determinant of b - a, c - a, d - a.
 ///
 /// Positive when b - a, c - a, d - a is a right-handed frame, zero when the points are coplanar.
@@ -25,7 +28,7 @@ pub fn orient3d(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3]) -> Sign 
     let determinant = (minor(p, q) * r[2] + minor(q, r) * p[2]) - minor(p, r) * q[2];
     let largest = |i: usize| larger(larger(p[i].abs(), q[i].abs()), r[i].abs());
     let product = largest(0) * largest(1) * largest(2);
-    if determinant.abs() > 50.0 * UNIT * product {
+    if determinant.abs() > ORIENT_BOUND * product {
         return Sign::of(determinant);
     }
     further([a, b, c, d], determinant, product)

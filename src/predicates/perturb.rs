@@ -10,10 +10,11 @@
 //! that e is lifted out of the sphere; for a vertex of the cell that of the cell with e in the
 //! vertex's place. The first that is not zero decides.
 
+use super::around::Site;
 use super::orient::orient3d;
 use super::sign::Sign;
 use super::stages::{self, Stage};
-use super::{lifted, position};
+use super::{lifted, position, processor};
 use std::cmp::Ordering;
 
 /// Whether e is in conflict with the positively oriented Delaunay cell abcd: inside its sphere,
@@ -49,6 +50,31 @@ pub fn regular_conflict(
 ) -> bool {
     match lifted::conflict::<true>([a, b, c, d, e]) {
         Sign::Zero => perturbed([a, b, c, d], e),
+        sign => sign.is_positive(),
+    }
+}
+
+/// Whether a point is in conflict with a positively oriented cell, ties broken by the perturbation.
+pub(crate) fn in_conflict<S: Site>(cell: [&S; 4], e: &S) -> bool {
+    let ([a, b, c, d], e) = (cell.map(S::row), e.row());
+    match S::WEIGHTED {
+        true => regular_conflict(&a, &b, &c, &d, &e),
+        false => delaunay_conflict(&a, &b, &c, &d, &e),
+    }
+}
+
+/// [`in_conflict`] where a filter could not tell: from its lifted determinant and X Y Z M, as in
+/// [`lifted`].
+#[cold]
+pub(crate) fn settle<S: Site>(cell: [&S; 4], e: &S, determinant: f64, product: f64) -> bool {
+    let ([a, b, c, d], e) = (cell.map(S::row), e.row());
+    let points = [&a, &b, &c, &d, &e];
+    let sign = match S::WEIGHTED {
+        true => processor::further::<true>(points, determinant, product),
+        false => processor::further::<false>(points, determinant, product),
+    };
+    match sign {
+        Sign::Zero => perturbed([&a, &b, &c, &d], &e),
         sign => sign.is_positive(),
     }
 }

@@ -32,6 +32,11 @@ mod counters {
         COUNTS[stage as usize].fetch_add(1, Ordering::Relaxed);
     }
 
+    pub(crate) fn count_settled(tests: u32) {
+        let settled = u64::from((tests & 15).count_ones());
+        COUNTS[Stage::Maximum as usize].fetch_add(settled, Ordering::Relaxed);
+    }
+
     /// The number of tests that the stage has settled since the last [`reset`], on all threads.
     pub fn settled(stage: Stage) -> u64 {
         COUNTS[stage as usize].load(Ordering::Relaxed)
@@ -47,9 +52,14 @@ mod counters {
 pub use counters::{reset, settled};
 
 #[cfg(feature = "count-stages")]
-pub(crate) use counters::count;
+pub(crate) use counters::{count, count_settled};
 
 /// Counts a test that the stage has settled.
 #[cfg(not(feature = "count-stages"))]
 #[inline(always)]
 pub(crate) fn count(_stage: Stage) {}
+
+/// Counts the tests that a filter has settled of four, given as bits.
+#[cfg(not(feature = "count-stages"))]
+#[inline(always)]
+pub(crate) fn count_settled(_tests: u32) {}

@@ -1,6 +1,6 @@
 //! From the cells under construction to the canonical order that the set alone decides.
 
-use super::cells::{Cells, EVEN, Mark};
+use super::cells::{EVEN, Mark, Parts};
 use crate::error::Result;
 use crate::index::NONE;
 use crate::job::{Room, Run};
@@ -21,11 +21,11 @@ const BLOCK: usize = if cfg!(test) { 8 } else { 1 << 13 };
 /// orientation asks; cells are ordered by their vertices. Everything happens in place, with two numbers
 /// a cell besides: this is where a build needs the most memory. Cost: O(m), besides sorting the cells
 /// of each vertex.
-pub(super) fn canonical(mut mesh: Cells<'_>, run: &Run<'_>) -> Result<CellsAndNeighbors> {
+pub(super) fn canonical(mut built: Parts, run: &Run<'_>) -> Result<CellsAndNeighbors> {
     let mut room = Room::new(run);
-    let (order, count) = order(&mut mesh, &mut room, run)?;
+    let (order, count) = order(&mut built, &mut room, run)?;
     let rank = inverse(order, &mut room, run)?;
-    let Cells { mut vertices, mut neighbors, .. } = mesh;
+    let Parts { mut vertices, mut neighbors, .. } = built;
     let plain = |n: u32| match rank[(n >> 2) as usize] {
         rank if (rank as usize) < count => rank,
         _ => NONE,
@@ -44,25 +44,25 @@ pub(super) fn canonical(mut mesh: Cells<'_>, run: &Run<'_>) -> Result<CellsAndNe
 
 /// Turns every finite cell as its vertices ask, and lists all slots: the finite cells in their
 /// order, then the others. Returns the number of finite cells as well.
-fn order(mesh: &mut Cells<'_>, room: &mut Room<'_>, run: &Run<'_>) -> Result<(Vec<u32>, usize)> {
-    let slots = mesh.vertices.len();
-    let is_finite = |mesh: &Cells<'_>, cell: usize| {
-        mesh.marks[cell] == Mark::Unknown && !mesh.is_infinite(cell as u32)
+fn order(built: &mut Parts, room: &mut Room<'_>, run: &Run<'_>) -> Result<(Vec<u32>, usize)> {
+    let slots = built.vertices.len();
+    let is_finite = |built: &Parts, cell: usize| {
+        built.marks[cell] == Mark::Unknown && !built.vertices[cell].contains(&built.infinite)
     };
     // A counting sort by least vertex: first the counts, then where each vertex's cells begin.
-    let mut ends = room.filled(mesh.infinite as usize + 1, 0u32)?;
+    let mut ends = room.filled(built.infinite as usize + 1, 0u32)?;
     for cell in run.watch(0..slots) {
         let cell = cell?;
-        if !is_finite(mesh, cell) {
+        if !is_finite(built, cell) {
             continue;
         }
-        let vertices = mesh.vertices[cell];
+        let vertices = built.vertices[cell];
         let least = least_slot(&vertices, 4);
         let second = least_slot(&vertices, least);
         let order = EVEN[least][second];
-        mesh.vertices[cell] = order.map(|slot| vertices[slot]);
-        let neighbors = mesh.neighbors[cell];
-        mesh.neighbors[cell] = order.map(|slot| neighbors[slot]);
+        built.vertices[cell] = order.map(|slot| vertices[slot]);
+        let neighbors = built.neighbors[cell];
+        built.neighbors[cell] = order.map(|slot| neighbors[slot]);
         ends[vertices[least] as usize + 1] += 1;
     }
     for v in 1..ends.len() {
@@ -73,9 +73,9 @@ fn order(mesh: &mut Cells<'_>, room: &mut Room<'_>, run: &Run<'_>) -> Result<(Ve
     let mut others = count;
     for cell in run.watch(0..slots) {
         let cell = cell?;
-        if is_finite(mesh, cell) {
+        if is_finite(built, cell) {
             // Where a vertex's cells begin moves on until it is where they end.
-            let end = &mut ends[mesh.vertices[cell][0] as usize];
+            let end = &mut ends[built.vertices[cell][0] as usize];
             order[*end as usize] = cell as u32;
             *end += 1;
         } else {
@@ -87,7 +87,7 @@ fn order(mesh: &mut Cells<'_>, room: &mut Room<'_>, run: &Run<'_>) -> Result<(Ve
     let mut begin = 0;
     for end in run.watch(&ends) {
         let end = *end? as usize;
-        sort_cells(&mut order[begin..end], &mesh.vertices, &mut keyed, room, run)?;
+        sort_cells(&mut order[begin..end], &built.vertices, &mut keyed, room, run)?;
         begin = end;
     }
     Ok((order, count))

@@ -1,183 +1,247 @@
-//! Insertion of one point: the cells in conflict with it are dug out, and the hole is filled
-//! with the star of the point (Bowyer 1981, Watson 1981).
+//! The cavity of a new point: the cells in conflict with it, and the facets round them (Bowyer 1981,
+//! Watson 1981).
 
-use super::cells::{Cells, FACET, Mark};
-use super::conflict::{Conflict, Site};
-use super::star::Star;
+use super::cells::{Cell, FACET, Facet, Mark, Patch};
 use crate::error::Result;
 use crate::job::Run;
-use crate::predicates::{Sign, orient3d};
-use std::marker::PhantomData;
+use crate::predicates::around::{Neighbors, Site, neighbors_in_conflict};
+use crate::predicates::lanes::Lanes;
+use crate::predicates::{Sign, in_conflict, orient3d, settle, stages};
+
+/// Cells between two looks at the job.
+const TICK: usize = 1024;
 
 /// A facet between a cell in conflict and one that is not.
-#[derive(Clone, Copy)]
-struct BoundaryFacet {
-    /// The vertices of the cell in conflict.
-    vertices: [u32; 4],
-    /// Its slot opposite the facet, which the new point will take.
-    slot: u32,
-    /// The facet as its outer cell names it: `4 * cell + facet`.
-    outer: u32,
+#[derive(Clone, Copy, Default)]
+pub(super) struct BoundaryFacet {
+    /// The new cell on it: the new point, and the facet's vertices, which turn counterclockwise seen from
+    /// the point.
+    pub vertices: [u32; 4],
+    /// The facet as its outer cell names it.
+    pub outer: Facet,
 }
 
-/// The arrays of one insertion, kept from one to the next: nothing is allocated per point.
-pub(super) struct Cavity<C> {
-    /// The cells in conflict: first the queue of the search, then the slots to fill.
-    cells: Vec<u32>,
+/// What a search has found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Found {
+    /// The whole cavity.
+    Cavity,
+    /// That the cavity, or a cell round it, is not the patch's own. No mark is left.
+    Foreign,
+}
+
+/// The arrays of one search, kept from one to the next: nothing is allocated per point.
+///
+/// Both arrays are longer than what they hold, so that the search can write ahead.
+#[derive(Default)]
+pub(super) struct Cavity {
+    cells: Vec<Cell>,
+    cell_count: usize,
     boundary: Vec<BoundaryFacet>,
-    star: Star,
-    conflict: PhantomData<C>,
+    facet_count: usize,
 }
 
-impl<C: Conflict> Cavity<C> {
-    /// Arrays for triangulations of `vertex_count` points.
-    pub fn new(vertex_count: usize, run: &Run<'_>) -> Result<Self> {
-        Ok(Cavity {
-            cells: Vec::new(),
-            boundary: Vec::new(),
-            star: Star::new(vertex_count, run)?,
-            conflict: PhantomData,
-        })
+impl Cavity {
+    /// The cells in conflict.
+    pub fn cells(&self) -> &[Cell] {
+        &self.cells[..self.cell_count]
     }
 
-    /// Inserts a vertex, given the cell that holds it, and returns one of its new cells; `None`
-    /// if the vertex is hidden, because its own cell is not in conflict with it.
+    /// The facets round them.
+    pub fn boundary(&self) -> &[BoundaryFacet] {
+        &self.boundary[..self.facet_count]
+    }
+
+    /// Collects and marks the cells in conflict with a vertex, breadth first from one of them, and their
+    /// boundary. `SHARED` if there are other patches.
     ///
-    /// Errors: [`crate::Status::Cancelled`] and what [`Cells::reserve`] returns; the cells are
-    /// of no further use then.
-    pub fn insert(
+    /// Two cells of the queue are tested at a time where there are as many: the processor then works on
+    /// one while it waits for the other. Errors: [`crate::Status::Cancelled`].
+    #[inline(always)]
+    pub fn search<L: Lanes, S: Site, const SHARED: bool>(
         &mut self,
-        mesh: &mut Cells<'_>,
-        sites: &[Site],
+        patch: &mut Patch<'_>,
+        sites: &[S],
         vertex: u32,
-        start: u32,
+        start: Cell,
         run: &Run<'_>,
-    ) -> Result<Option<u32>> {
-        let site = &sites[vertex as usize];
-        if !Self::in_conflict(mesh, sites, start, site) {
-            return Ok(None);
-        }
-        self.dig(mesh, sites, site, start, run)?;
-        mesh.reserve(self.boundary.len())?;
-        Ok(Some(self.fill(mesh, vertex)))
-    }
-
-    /// Collects the cells in conflict, breadth first from one of them, and their boundary.
-    fn dig(
-        &mut self,
-        mesh: &mut Cells<'_>,
-        sites: &[Site],
-        site: &Site,
-        start: u32,
-        run: &Run<'_>,
-    ) -> Result<()> {
-        self.cells.clear();
-        self.boundary.clear();
-        self.cells.push(start);
-        mesh.marks[start as usize] = Mark::Conflict;
+    ) -> Result<Found> {
+        (self.cell_count, self.facet_count) = (0, 0);
+        self.make_room(start);
+        self.cells[0] = start;
+        self.cell_count = 1;
+        patch.set_mark(start, Mark::Conflict);
+        let point = &sites[vertex as usize];
         let mut next = 0;
-        while let Some(&cell) = self.cells.get(next) {
-            next += 1;
-            if next % 1024 == 0 {
+        while next < self.cell_count {
+            self.make_room(start);
+            if next % TICK < 2 {
                 run.poll()?;
             }
-            for slot in 0..4 {
-                let outer = mesh.neighbors[cell as usize][slot];
-                let neighbor = outer >> 2;
-                let inside = match mesh.marks[neighbor as usize] {
-                    Mark::Conflict => continue,
-                    Mark::Outside => false,
-                    Mark::Unknown => Self::in_conflict(mesh, sites, neighbor, site),
-                };
-                if inside {
-                    mesh.marks[neighbor as usize] = Mark::Conflict;
-                    self.cells.push(neighbor);
-                } else {
-                    mesh.marks[neighbor as usize] = Mark::Outside;
-                    let vertices = mesh.vertices[cell as usize];
-                    self.boundary.push(BoundaryFacet { vertices, slot: slot as u32, outer });
-                }
+            let cell = self.cells[next];
+            let of_cell = test::<L, S>(patch, sites, cell, point);
+            let mut own = true;
+            if next + 1 < self.cell_count {
+                let second = self.cells[next + 1];
+                let of_second = test::<L, S>(patch, sites, second, point);
+                own &= self.sort_out::<S, SHARED>(patch, sites, vertex, cell, &of_cell);
+                own &= self.sort_out::<S, SHARED>(patch, sites, vertex, second, &of_second);
+                next += 2;
+            } else {
+                own &= self.sort_out::<S, SHARED>(patch, sites, vertex, cell, &of_cell);
+                next += 1;
+            }
+            if SHARED && !own {
+                self.forget(patch);
+                return Ok(Found::Foreign);
             }
         }
-        Ok(())
+        Ok(Found::Cavity)
     }
 
-    /// Fills the cavity: one new cell per boundary facet, in the slots of the old cells first.
-    fn fill(&mut self, mesh: &mut Cells<'_>, vertex: u32) -> u32 {
-        for &cell in &self.cells {
-            mesh.marks[cell as usize] = Mark::Unknown;
+    /// Takes the marks back.
+    pub fn forget(&mut self, patch: &mut Patch<'_>) {
+        for &cell in self.cells() {
+            patch.set_mark(cell, Mark::Unknown);
         }
-        self.star.begin(&self.boundary, |facet| {
-            FACET[facet.slot as usize].map(|slot| facet.vertices[slot])
-        });
-        let mut cell = 0;
-        for (i, facet) in self.boundary.iter_mut().enumerate() {
-            let slot = facet.slot as usize;
-            // All four at once: a store of one, and a load of four right after it, would wait for
-            // each other.
-            let vertices = [0, 1, 2, 3].map(|k| match k == slot {
-                true => vertex,
-                false => facet.vertices[k],
-            });
-            cell = match self.cells.get(i).copied().or_else(|| mesh.free.pop()) {
-                Some(cell) => {
-                    mesh.vertices[cell as usize] = vertices;
-                    cell
-                }
-                None => mesh.push(vertices),
-            };
-            mesh.marks[(facet.outer >> 2) as usize] = Mark::Unknown;
-            mesh.link(4 * cell + facet.slot, facet.outer);
-            // The slot's facet turns counterclockwise seen from the new point; its edge opposite
-            // vertex `corners[k]` runs from `corners[k + 1]` to `corners[k + 2]`.
-            let corners = FACET[slot];
-            for k in 0..3 {
-                let (from, to) = (corners[(k + 1) % 3], corners[(k + 2) % 3]);
-                let side = 4 * cell + corners[k] as u32;
-                self.star.put(i, facet.vertices[from], facet.vertices[to], k, side);
-            }
-            facet.outer = cell;
-        }
-        for (i, facet) in self.boundary.iter().enumerate() {
-            let corners = FACET[facet.slot as usize];
-            for k in 0..3 {
-                let (from, to) = (corners[(k + 1) % 3], corners[(k + 2) % 3]);
-                let across = self.star.get(i, facet.vertices[to], facet.vertices[from], k);
-                mesh.neighbors[facet.outer as usize][corners[k]] = across;
-            }
-        }
-        self.star.end();
-        if let Some(unused) = self.cells.get(self.boundary.len()..) {
-            mesh.free.extend_from_slice(unused);
-        }
-        cell
     }
 
-    /// Whether a cell, finite or infinite, is in conflict with the point.
-    fn in_conflict(mesh: &Cells<'_>, sites: &[Site], cell: u32, point: &Site) -> bool {
-        let [a, b, c, d] = mesh.vertices[cell as usize];
-        let site = |v: u32| &sites[v as usize];
-        if d != mesh.infinite {
-            return C::in_conflict(site(a), site(b), site(c), site(d), point);
+    /// Makes room for what two cells can add.
+    #[inline(always)]
+    fn make_room(&mut self, any: Cell) {
+        if self.cells.len() < self.cell_count + 8 || self.boundary.len() < self.facet_count + 8 {
+            let cells = 2 * self.cell_count + 64;
+            self.cells.resize(self.cells.len().max(cells), any);
+            let facets = 2 * self.facet_count + 64;
+            self.boundary.resize(self.boundary.len().max(facets), BoundaryFacet::default());
         }
-        match orient3d(site(a).position(), site(b).position(), site(c).position(), point.position())
-        {
-            Sign::Positive => true,
-            Sign::Negative => false,
-            // In the plane of the hull facet the circle decides, and it is where the plane
-            // cuts the sphere of the finite cell behind the facet. The perturbation agrees: lifting
-            // that cell's fourth vertex moves nothing in the plane.
-            Sign::Zero => {
-                let behind = mesh.neighbors[cell as usize][3] >> 2;
-                match mesh.marks[behind as usize] {
-                    Mark::Conflict => true,
-                    Mark::Outside => false,
-                    Mark::Unknown => {
-                        let [a, b, c, d] = mesh.vertices[behind as usize];
-                        C::in_conflict(site(a), site(b), site(c), site(d), point)
-                    }
-                }
+    }
+
+    /// Divides a cell's neighbours into the cavity and what lies round it. Without branches on what
+    /// the tests found: nothing foretells it. Returns `false` if a neighbour is not the patch's own.
+    #[inline(always)]
+    fn sort_out<S: Site, const SHARED: bool>(
+        &mut self,
+        patch: &mut Patch<'_>,
+        sites: &[S],
+        vertex: u32,
+        cell: Cell,
+        tests: &Neighbors,
+    ) -> bool {
+        let facets = patch.neighbors(cell);
+        let known = bits(|i| patch.mark(facets[i].cell()) == Mark::Conflict);
+        if SHARED {
+            let owned = bits(|i| patch.owns_vertex(patch.opposite(facets[i])));
+            if (owned | known) != 15 {
+                return false;
             }
         }
+        let mut conflict = tests.conflict;
+        let unsure = tests.unsure & !known;
+        stages::count_settled(!tests.unsure & !known);
+        if unsure != 0 {
+            conflict |= settle_unsure(patch, sites, vertex, facets, unsure, tests);
+        }
+        let inside = conflict | known;
+        let vertices = patch.vertices(cell);
+        let cells: &mut [Cell; 4] = window(&mut self.cells, self.cell_count);
+        let boundary: &mut [BoundaryFacet; 4] = window(&mut self.boundary, self.facet_count);
+        let (mut added, mut outer) = (0, 0);
+        for i in 0..4 {
+            let [a, b, c] = FACET[i];
+            let (a, b, c) = (vertices[a], vertices[b], vertices[c]);
+            let is_inside = (inside >> i & 1) as usize;
+            let is_new = (inside & !known) >> i & 1;
+            cells[added & 3] = facets[i].cell();
+            added += is_new as usize;
+            patch.set_mark(facets[i].cell(), MARKS[is_inside]);
+            boundary[outer & 3] = BoundaryFacet { vertices: [vertex, a, b, c], outer: facets[i] };
+            outer += 1 - is_inside;
+        }
+        self.cell_count += added;
+        self.facet_count += outer;
+        true
+    }
+}
+
+/// The mark of a cell outside the cavity, and of one inside.
+const MARKS: [Mark; 2] = [Mark::Unknown, Mark::Conflict];
+
+/// Four elements from a place on.
+#[inline(always)]
+fn window<T>(items: &mut [T], from: usize) -> &mut [T; 4] {
+    items[from..].first_chunk_mut().expect("room was made")
+}
+
+/// Four truth values as bits.
+#[inline(always)]
+fn bits(of: impl Fn(usize) -> bool) -> u32 {
+    u32::from(of(0)) | u32::from(of(1)) << 1 | u32::from(of(2)) << 2 | u32::from(of(3)) << 3
+}
+
+/// As `map`, which would not be compiled for AVX2.
+#[inline(always)]
+pub(super) fn each<T, U>([a, b, c, d]: [T; 4], of: impl Fn(T) -> U) -> [U; 4] {
+    [of(a), of(b), of(c), of(d)]
+}
+
+/// The filter's tests of a cell's neighbours.
+#[inline(always)]
+fn test<L: Lanes, S: Site>(patch: &Patch<'_>, sites: &[S], cell: Cell, point: &S) -> Neighbors {
+    let vertices = patch.vertices(cell);
+    let opposite = each(patch.neighbors(cell), |facet| patch.opposite(facet));
+    // The point itself stands in for the vertex at infinity, which has no site.
+    let site = |v: u32| sites.get(v as usize).unwrap_or(point);
+    let infinite =
+        [L::equal(vertices, patch.infinite()), L::equal(opposite, patch.infinite())];
+    neighbors_in_conflict::<L, S>(each(vertices, site), each(opposite, site), infinite, point)
+}
+
+/// Tests exactly, among a cell's neighbours, those of which the filter was unsure.
+#[cold]
+#[inline(never)]
+fn settle_unsure<S: Site>(
+    patch: &Patch<'_>,
+    sites: &[S],
+    vertex: u32,
+    neighbors: [Facet; 4],
+    unsure: u32,
+    tests: &Neighbors,
+) -> u32 {
+    let point = &sites[vertex as usize];
+    let settled = |i: usize| {
+        let cell = neighbors[i].cell();
+        let vertices = patch.vertices(cell);
+        if unsure >> i & 1 == 0 {
+            false
+        } else if patch.infinite_slot(vertices).is_some() {
+            cell_in_conflict(patch, sites, cell, point)
+        } else {
+            let vertices = vertices.map(|v| &sites[v as usize]);
+            // The filter's cells have the wrong orientation, and so its determinants the other sign.
+            settle(vertices, point, -tests.determinants[i], tests.products[i])
+        }
+    };
+    bits(settled)
+}
+
+/// Whether a cell, finite or infinite, is in conflict with a point.
+pub(super) fn cell_in_conflict<S: Site>(
+    patch: &Patch<'_>,
+    sites: &[S],
+    cell: Cell,
+    point: &S,
+) -> bool {
+    let finite = |cell| in_conflict(patch.vertices(cell).map(|v| &sites[v as usize]), point);
+    let vertices = patch.vertices(cell);
+    let Some(slot) = patch.infinite_slot(vertices) else { return finite(cell) };
+    let [a, b, c] = FACET[slot].map(|i| sites[vertices[i] as usize].position());
+    match orient3d(point.position(), a, b, c) {
+        Sign::Positive => true,
+        Sign::Negative => false,
+        // In the plane of the hull facet the circle decides, and it is where the plane
+        // cuts the sphere of the finite cell behind the facet. The perturbation agrees: lifting
+        // that cell's fourth vertex moves nothing in the plane.
+        Sign::Zero => finite(patch.neighbors(cell)[slot].cell()),
     }
 }

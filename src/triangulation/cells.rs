@@ -1,7 +1,34 @@
 //! Storage of the cells under construction: topology only, no coordinates.
+//!
+//! # Why the unsafe code here is sound
+//!
+//! **In bounds.** A [`Cell`] and a [`Facet`] are made in this file only, from slots that were handed
+//! out. So what is read from the arrays names slots within them, and needs no check. The arrays
+//! move only in [`Cells::hand_out`], which borrows them as a whole, and never shrink. (All cells belong to one
+//! [`Cells`]: a build has no other.)
+//!
+//! **Initialised.** Slots are filled with zeros, and the arrays as long as that, before they are handed out.
+//!
+//! **No data race.** Several threads insert at once, each through a [`Patch`] of its own. A patch owns a range of
+//! vertices, disjoint from the others', and so the cells whose finite vertices all lie in it; every
+//! cell has at least three. Each thread keeps to two rules:
+//!
+//! 1. It *writes* only what belongs to slots that it took itself, or to cells that it owns: `vertices` and `neighbors` of
+//!    both, and their marks. A new cell has the new vertex and vertices of cells that the patch owns, so the patch owns it.
+//! 2. It *reads* only cells that it owns, and the vertices and marks of their neighbours. A neighbour shares a facet
+//!    with the cell, so at least two finite vertices: no other patch owns it, and no other thread writes it.
+//!
+//! So no two threads touch the same element of an array, if one of them writes. Threads begin after the
+//! patches were made, and end before they are closed: what one of them wrote is seen by all afterwards.
+//!
+//! The rules are kept by `cavity.rs` and `walk.rs`, and checked in debug builds where cells are written. Miri and a stress
+//! test over many builds watch them too.
+#![allow(unsafe_code)]
 
 use crate::error::{Error, Result, Status};
 use crate::job::{Charge, Run};
+use std::marker::PhantomData;
+use std::ops::Range;
 
 /// The most cells: a packed neighbour, `4 * cell + facet`, must fit into 32 bits.
 pub const CELL_LIMIT: usize = 1 << 30;
@@ -39,113 +66,181 @@ pub(super) const EVEN: [[[usize; 4]; 4]; 4] = {
     table
 };
 
+/// A cell: a slot that was handed out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(transparent)]
+pub(super) struct Cell(u32);
+
+impl Cell {
+    /// The facet opposite the vertex in a slot.
+    #[inline(always)]
+    pub fn facet(self, slot: u32) -> Facet {
+        Facet(4 * self.0 + (slot & 3))
+    }
+
+    /// The place of the cell in the arrays.
+    #[inline(always)]
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A facet of a cell: `4 * cell + slot` of the vertex opposite it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(transparent)]
+pub(super) struct Facet(u32);
+
+impl Facet {
+    #[inline(always)]
+    pub fn cell(self) -> Cell {
+        Cell(self.0 >> 2)
+    }
+
+    #[inline(always)]
+    pub fn slot(self) -> u32 {
+        self.0 & 3
+    }
+}
+
 /// What the current insertion knows of a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub(super) enum Mark {
-    /// Not tested.
+    /// Nothing, or that it is not in conflict with the new point.
     Unknown,
-    /// In conflict with the new point: part of the cavity.
+    /// It is in conflict: part of the cavity. Or the slot is free, between builds.
     Conflict,
-    /// Tested, and outside the cavity.
-    Outside,
 }
 
-/// Cells in flat arrays, with a list of free slots.
+/// Cells in flat arrays.
 ///
-/// The vertex at infinity is vertex `infinite`; it stands in slot 3 of every cell that has it,
-/// and a cell `(a, b, c, infinite)` is oriented so that a point beyond the hull facet `abc` makes
-/// `(a, b, c, point)` positive. Invariants between insertions: every cell that is not free has
-/// four neighbours, given as `4 * cell + facet`, and is named by each of them; all marks are
-/// [`Mark::Unknown`].
+/// The vertex at infinity is vertex `infinite`; a cell with it is oriented so that a point beyond its
+/// hull facet in its place makes the cell positive. Invariants between insertions: every cell that is
+/// not free has four neighbours, given as packed facets, and is named by each of them; all marks are [`Mark::Unknown`].
 pub(super) struct Cells<'a> {
-    pub vertices: Vec<[u32; 4]>,
-    pub neighbors: Vec<[u32; 4]>,
-    pub marks: Vec<Mark>,
-    pub free: Vec<u32>,
-    pub infinite: u32,
+    vertices: Vec<[u32; 4]>,
+    neighbors: Vec<[u32; 4]>,
+    marks: Vec<Mark>,
+    infinite: u32,
     run: &'a Run<'a>,
     charges: Vec<Charge<'a>>,
 }
 
+/// The arrays of finished cells, see [`Cells`].
+pub(super) struct Parts {
+    pub vertices: Vec<[u32; 4]>,
+    pub neighbors: Vec<[u32; 4]>,
+    pub marks: Vec<Mark>,
+    pub infinite: u32,
+}
+
 impl<'a> Cells<'a> {
-    /// The four infinite cells and the one finite cell of a first positively oriented simplex.
+    /// The one finite cell of a first positively oriented simplex, and the four infinite ones.
     pub fn new(simplex: [u32; 4], vertex_count: usize, run: &'a Run<'a>) -> Result<Self> {
         let mut cells = Cells {
             vertices: Vec::new(),
             neighbors: Vec::new(),
             marks: Vec::new(),
-            free: Vec::new(),
             infinite: vertex_count as u32,
             run,
             charges: Vec::new(),
         };
         // A surface in general position has a little more than four cells a point, a volume
         // nearly seven: the first guess serves surfaces, and volumes grow from it.
-        cells.reserve(vertex_count.saturating_mul(9) / 2 + 64)?;
-        cells.push(simplex);
+        cells.grow(vertex_count.saturating_mul(9) / 2 + 64)?;
+        cells.vertices.push(simplex);
         for facet in FACET {
+            // The facet turned round: the vertex at infinity lies on its other side.
             let [a, b, c] = facet.map(|slot| simplex[slot]);
-            cells.push([a, b, c, cells.infinite]);
+            cells.vertices.push([cells.infinite, a, c, b]);
         }
-        for i in 0..4u32 {
-            cells.link(i, 4 * (i + 1) + 3);
-            for j in 0..i {
-                // Cells i + 1 and j + 1 share the edge of the simplex without vertices i and j.
-                let (x, y) = (simplex[i as usize], simplex[j as usize]);
-                let slot_of = |cell: u32, v: u32| {
-                    let found = cells.vertices[cell as usize].iter().position(|&w| w == v);
-                    found.unwrap_or(0) as u32
-                };
-                let (s, t) = (slot_of(i + 1, y), slot_of(j + 1, x));
-                cells.link(4 * (i + 1) + s, 4 * (j + 1) + t);
-            }
+        for (i, cell) in cells.vertices.iter().enumerate() {
+            let neighbor = |v: u32| {
+                // Every two of the five cells are neighbours: the one without v, across from it.
+                let across = cells.vertices.iter().position(|other| !other.contains(&v));
+                let other = across.unwrap_or(i);
+                let slot = cells.vertices[other].iter().position(|w| !cell.contains(w));
+                (4 * other + slot.unwrap_or(0)) as u32
+            };
+            cells.neighbors.push(cell.map(neighbor));
         }
+        cells.marks.resize(5, Mark::Unknown);
         Ok(cells)
     }
 
-    /// Makes two packed facets each other's neighbour.
-    #[inline]
-    pub fn link(&mut self, a: u32, b: u32) {
-        self.neighbors[(a >> 2) as usize][(a & 3) as usize] = b;
-        self.neighbors[(b >> 2) as usize][(b & 3) as usize] = a;
+    /// The first cell.
+    pub fn first(&self) -> Cell {
+        Cell(0)
     }
 
-    /// Appends a cell without neighbours; room for it was reserved.
-    #[inline]
-    pub fn push(&mut self, vertices: [u32; 4]) -> u32 {
-        self.vertices.push(vertices);
-        self.neighbors.push([0; 4]);
-        self.marks.push(Mark::Unknown);
-        self.vertices.len() as u32 - 1
+    /// The number of slots that were handed out.
+    pub fn len(&self) -> usize {
+        self.vertices.len()
     }
 
-    /// Whether the cell has the vertex at infinity.
-    #[inline]
-    pub fn is_infinite(&self, cell: u32) -> bool {
-        self.vertices[cell as usize][3] == self.infinite
+    /// A patch that owns every cell; there is no other as long as it lives.
+    pub fn whole(&mut self) -> Patch<'_> {
+        self.patch(0..self.infinite)
     }
 
-    /// Makes room for `extra` more cells.
+    /// Patches that own disjoint ascending ranges of vertices.
+    pub fn patches(&mut self, ranges: &[Range<u32>]) -> Vec<Patch<'_>> {
+        let mut before = 0;
+        for range in ranges {
+            assert!(before <= range.start && range.start <= range.end, "ranges overlap");
+            before = range.end;
+        }
+        assert!(before <= self.infinite);
+        let Patch { vertices, neighbors, marks, infinite, .. } = self.whole();
+        let patch = |owned: &Range<u32>| {
+            let (first, count) = (owned.start, owned.end - owned.start);
+            Patch { vertices, neighbors, marks, infinite, first, count, lifetime: PhantomData }
+        };
+        ranges.iter().map(patch).collect()
+    }
+
+    fn patch(&mut self, owned: Range<u32>) -> Patch<'_> {
+        Patch {
+            vertices: self.vertices.as_mut_ptr(),
+            neighbors: self.neighbors.as_mut_ptr(),
+            marks: self.marks.as_mut_ptr(),
+            infinite: self.infinite,
+            first: owned.start,
+            count: owned.end - owned.start,
+            lifetime: PhantomData,
+        }
+    }
+
+    /// Hands out `count` more slots.
+    ///
+    /// Errors: those of [`Cells::grow`].
+    pub fn hand_out(&mut self, count: usize, to: &mut Slots) -> Result<()> {
+        if self.vertices.capacity() < self.len() + count {
+            self.grow(count)?;
+        }
+        to.free.extend(to.fresh.by_ref().map(Cell));
+        let len = self.len();
+        self.vertices.resize(len + count, [0; 4]);
+        self.neighbors.resize(len + count, [0; 4]);
+        self.marks.resize(len + count, Mark::Unknown);
+        to.fresh = len as u32..(len + count) as u32;
+        Ok(())
+    }
+
+    /// Makes room for `extra` more cells, and an eighth of all besides.
     ///
     /// Errors: [`Status::LimitExceeded`] past [`CELL_LIMIT`], [`Status::OutOfMemory`].
-    #[inline]
-    pub fn reserve(&mut self, extra: usize) -> Result<()> {
-        let needed = self.vertices.len() + extra;
-        if needed <= self.vertices.capacity() { Ok(()) } else { self.grow(needed) }
-    }
-
-    #[cold]
-    fn grow(&mut self, needed: usize) -> Result<()> {
+    fn grow(&mut self, extra: usize) -> Result<()> {
+        let len = self.len();
+        let needed = len + extra;
         if needed > CELL_LIMIT {
             return Err(Error::new(
                 Status::LimitExceeded,
                 format!("the triangulation has more than {CELL_LIMIT} cells"),
             ));
         }
-        let len = self.vertices.len();
         let capacity = needed.max(len + len / 8).min(CELL_LIMIT);
-        let added = capacity - self.vertices.capacity();
+        let added = capacity.saturating_sub(self.vertices.capacity());
         self.charges.push(self.run.charge((added * CELL_BYTES) as u64)?);
         let refused = self.vertices.try_reserve_exact(capacity - len).is_err()
             || self.neighbors.try_reserve_exact(capacity - len).is_err()
@@ -158,5 +253,140 @@ impl<'a> Cells<'a> {
             ));
         }
         Ok(())
+    }
+
+    /// The arrays, with the unused slots marked [`Mark::Conflict`].
+    pub fn finish(mut self, slots: impl IntoIterator<Item = Slots>) -> Parts {
+        for Slots { free, fresh } in slots {
+            for cell in free.into_iter().chain(fresh.map(Cell)) {
+                self.marks[cell.index()] = Mark::Conflict;
+            }
+        }
+        let Cells { vertices, neighbors, marks, infinite, .. } = self;
+        Parts { vertices, neighbors, marks, infinite }
+    }
+}
+
+/// The slots that one thread may use: free ones, and some that never held a cell.
+#[derive(Default)]
+pub(super) struct Slots {
+    free: Vec<Cell>,
+    fresh: Range<u32>,
+}
+
+impl Slots {
+    /// How many slots there are.
+    #[inline]
+    pub fn len(&self) -> usize {
+        self.free.len() + self.fresh.len()
+    }
+
+    /// Appends `count` slots to the list; there must be so many.
+    #[inline]
+    pub fn take(&mut self, count: usize, to: &mut Vec<Cell>) {
+        let reused = count.min(self.free.len());
+        to.extend(self.free.drain(self.free.len() - reused..));
+        to.extend(self.fresh.by_ref().take(count - reused).map(Cell));
+    }
+
+    /// Takes slots back whose cells are gone.
+    #[inline]
+    pub fn give_back(&mut self, cells: &[Cell]) {
+        self.free.extend_from_slice(cells);
+    }
+}
+
+/// A view of cells through which one thread changes those that it owns, see above.
+pub(super) struct Patch<'a> {
+    vertices: *mut [u32; 4],
+    neighbors: *mut [u32; 4],
+    marks: *mut Mark,
+    infinite: u32,
+    first: u32,
+    count: u32,
+    lifetime: PhantomData<&'a mut Mark>,
+}
+
+// SAFETY: the patch stands for a mutable borrow of plain numbers; what keeps several of them apart
+// is written above.
+unsafe impl Send for Patch<'_> {}
+
+impl Patch<'_> {
+    /// The vertex at infinity.
+    #[inline(always)]
+    pub fn infinite(&self) -> u32 {
+        self.infinite
+    }
+
+    #[inline(always)]
+    pub fn vertices(&self, cell: Cell) -> [u32; 4] {
+        // SAFETY: a cell is within bounds and initialised; nobody writes it now, by rule 2.
+        unsafe { self.vertices.add(cell.index()).read() }
+    }
+
+    #[inline(always)]
+    pub fn neighbors(&self, cell: Cell) -> [Facet; 4] {
+        // SAFETY: as for the vertices.
+        let [a, b, c, d] = unsafe { self.neighbors.add(cell.index()).read() };
+        [Facet(a), Facet(b), Facet(c), Facet(d)]
+    }
+
+    /// The vertex opposite the facet, in the facet's own cell.
+    #[inline(always)]
+    pub fn opposite(&self, facet: Facet) -> u32 {
+        // SAFETY: as for the vertices; the facet's number is the place of the vertex.
+        unsafe { self.vertices.cast::<u32>().add(facet.0 as usize).read() }
+    }
+
+    #[inline(always)]
+    pub fn mark(&self, cell: Cell) -> Mark {
+        // SAFETY: as for the vertices.
+        unsafe { self.marks.add(cell.index()).read() }
+    }
+
+    /// Marks a cell that the patch owns.
+    #[inline(always)]
+    pub fn set_mark(&mut self, cell: Cell, mark: Mark) {
+        // SAFETY: a cell is within bounds; nobody else touches it, by rule 1.
+        unsafe { self.marks.add(cell.index()).write(mark) }
+    }
+
+    /// Fills a slot with a cell that the patch owns.
+    #[inline(always)]
+    pub fn put(&mut self, cell: Cell, vertices: [u32; 4], [a, b, c, d]: [Facet; 4]) {
+        debug_assert!(self.owns(vertices), "{vertices:?}");
+        // SAFETY: as for the mark.
+        unsafe {
+            self.vertices.add(cell.index()).write(vertices);
+            self.neighbors.add(cell.index()).write([a.0, b.0, c.0, d.0]);
+            self.marks.add(cell.index()).write(Mark::Unknown);
+        }
+    }
+
+    /// Changes the neighbour across a facet of a cell that the patch owns.
+    #[inline(always)]
+    pub fn set_neighbor(&mut self, facet: Facet, neighbor: Facet) {
+        debug_assert!(self.owns(self.vertices(facet.cell())));
+        // SAFETY: as for the mark; the facet's number is the place of the neighbour.
+        unsafe { self.neighbors.cast::<u32>().add(facet.0 as usize).write(neighbor.0) }
+    }
+
+    /// Whether all the vertices are owned or at infinity.
+    #[inline(always)]
+    pub fn owns(&self, vertices: [u32; 4]) -> bool {
+        let [a, b, c, d] = vertices;
+        self.owns_vertex(a) && self.owns_vertex(b) && self.owns_vertex(c) && self.owns_vertex(d)
+    }
+
+    /// Whether a vertex is owned, or at infinity.
+    #[inline(always)]
+    pub fn owns_vertex(&self, vertex: u32) -> bool {
+        vertex.wrapping_sub(self.first) < self.count || vertex == self.infinite
+    }
+
+    /// The slot of the vertex at infinity.
+    #[inline(always)]
+    pub fn infinite_slot(&self, vertices: [u32; 4]) -> Option<usize> {
+        (0..4).find(|&i| vertices[i] == self.infinite)
     }
 }

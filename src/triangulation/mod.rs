@@ -14,9 +14,9 @@ mod build;
 mod canonical;
 mod cavity;
 mod cells;
-mod conflict;
 mod export;
 mod incidence;
+mod kernel;
 mod locate;
 mod order;
 mod star;
@@ -31,7 +31,6 @@ use crate::index::NONE;
 use crate::job::{Job, Room, Run, Stage};
 use crate::points::Points;
 use crate::predicates::{WEIGHT_MAX, WEIGHT_MIN};
-use conflict::{Delaunay, Regular, Site};
 use std::sync::Arc;
 
 /// A Delaunay or regular triangulation: finite cells in canonical order.
@@ -63,13 +62,8 @@ impl Triangulation {
     /// [`Triangulation::delaunay`] as a stage of a larger build.
     pub(crate) fn delaunay_in(points: &Arc<Points>, run: &Run<'_>) -> Result<Self> {
         run.enter(Stage::Triangulate)?;
-        // The sites are not needed any longer where the cells are ordered, and need the most memory.
-        let mut of_sites = Room::new(run);
-        let sites =
-            of_sites.collect(points.coords().iter().map(|&[x, y, z]| Site([x, y, z, 0.0])))?;
-        let mesh = build::build::<Delaunay>(&sites, run)?;
-        drop((sites, of_sites));
-        let (cells, neighbors) = canonical::canonical(mesh, run)?;
+        let built = build::build(points.coords(), run)?;
+        let (cells, neighbors) = canonical::canonical(built, run)?;
         Ok(Triangulation {
             points: points.clone(),
             weights: Vec::new(),
@@ -103,13 +97,14 @@ impl Triangulation {
         let mut room = Room::new(run);
         let row_of_vertex = heaviest_rows(points, weights, &mut room, run)?;
         let weight = |row: u32| weights[row as usize] + 0.0;
-        let site = |(&[x, y, z], &row): (&[f64; 3], &u32)| Site([x, y, z, weight(row)]);
+        let site = |(&[x, y, z], &row): (&[f64; 3], &u32)| [x, y, z, weight(row)];
         let mut of_sites = Room::new(run);
         let sites = of_sites.collect(points.coords().iter().zip(&row_of_vertex).map(site))?;
-        let mesh = build::build::<Regular>(&sites, run)?;
-        let weights = room.collect(sites.iter().map(|site| site.0[3]))?;
+        let built = build::build(&sites, run)?;
+        let weights = room.collect(sites.iter().map(|site| site[3]))?;
+        // Where the cells are ordered, most memory is needed.
         drop((sites, of_sites));
-        let (cells, neighbors) = canonical::canonical(mesh, run)?;
+        let (cells, neighbors) = canonical::canonical(built, run)?;
         let mut used = room.filled(points.len(), false)?;
         for vertex in run.watch(cells.as_flattened()) {
             used[*vertex? as usize] = true;

@@ -1,13 +1,15 @@
-//! Adjacency in the star of a new vertex: which two new cells share each edge of the cavity's
-//! boundary.
+//! The star of a new vertex: the cells that fill its cavity.
 //!
-//! The boundary is a closed oriented surface: each edge runs once in each direction. So every
+//! The boundary of the cavity is a closed oriented surface: each edge runs once in each direction. So every
 //! new cell puts its three sides under its own directed edges and finds its neighbours under
 //! the reversed ones. Small stars, nearly all of them, use a table over local vertex numbers
 //! (Marot, Pellerin, Remacle 2019, section 2.4); larger ones a hash table.
 
+use super::cavity::{BoundaryFacet, Cavity};
+use super::cells::{Cell, Facet, Patch, Slots};
 use crate::error::Result;
-use crate::job::Run;
+use crate::job::Room;
+use std::ops::Range;
 
 /// The most vertices of a small star; their local numbers index the table.
 const SMALL: usize = 64;
@@ -18,96 +20,107 @@ const EMPTY: u64 = 0;
 
 /// The edge tables, kept from one insertion to the next.
 pub(super) struct Star {
-    /// The local number of each vertex of the current small star, else [`UNNUMBERED`].
+    /// The slots of the new cells.
+    cells: Vec<Cell>,
+    /// The vertices of the patch: the first, and how many.
+    first: u32,
+    count: u32,
+    /// The local number of each of them in the current small star, else [`UNNUMBERED`]; last the vertex at
+    /// infinity.
     local: Vec<u8>,
-    /// The vertices that have a local number.
-    numbered: Vec<u32>,
-    /// `table[from * SMALL + to]`: the side of the new cell with that edge.
-    table: Box<[u32]>,
     /// Per boundary facet of a small star its corners' local numbers.
     corners: Vec<[u8; 3]>,
-    /// Open addressing: directed edges and their sides; empty for small stars.
+    /// `table[from * SMALL + to]`: the side of the new cell with that edge.
+    table: Box<[Facet; SMALL * SMALL]>,
+    /// Open addressing: directed edges and their sides, for large stars.
     keys: Vec<u64>,
-    sides: Vec<u32>,
-    small: bool,
+    sides: Vec<Facet>,
 }
 
 impl Star {
-    /// Tables for stars among `vertex_count` vertices and the one at infinity.
-    pub fn new(vertex_count: usize, run: &Run<'_>) -> Result<Self> {
-        let mut local = run.try_vec(vertex_count + 1)?;
-        local.resize(vertex_count + 1, UNNUMBERED);
+    /// Tables for stars among a patch's vertices and the one at infinity.
+    pub fn new(vertices: Range<u32>, room: &mut Room<'_>) -> Result<Self> {
         Ok(Star {
-            local,
-            numbered: Vec::new(),
-            table: vec![0; SMALL * SMALL].into_boxed_slice(),
+            cells: Vec::new(),
+            first: vertices.start,
+            count: vertices.end - vertices.start,
+            local: room.filled(vertices.len() + 1, UNNUMBERED)?,
             corners: Vec::new(),
+            table: Box::new([Facet::default(); SMALL * SMALL]),
             keys: Vec::new(),
             sides: Vec::new(),
-            small: true,
         })
     }
 
-    /// Prepares for a star over these facets, whose corners `corners_of` tells.
-    pub fn begin<F>(&mut self, facets: &[F], corners_of: impl Fn(&F) -> [u32; 3]) {
+    /// Fills the cavity: one new cell per boundary facet, in the slots of the old cells first. Returns one
+    /// of the new cells. There must be slots enough.
+    pub fn fill(&mut self, cavity: &Cavity, patch: &mut Patch<'_>, slots: &mut Slots) -> Cell {
+        let boundary = cavity.boundary();
+        let (reused, unused) = cavity.cells().split_at(boundary.len().min(cavity.cells().len()));
+        self.cells.clear();
+        self.cells.extend_from_slice(reused);
+        slots.take(boundary.len() - reused.len(), &mut self.cells);
+        slots.give_back(unused);
         // A triangulated sphere with v vertices has 2 v - 4 facets; a cavity's boundary is one.
-        self.small = facets.len() <= 2 * SMALL - 4;
-        if self.small {
-            self.corners.clear();
-            for facet in facets {
-                let numbers = corners_of(facet).map(|v| self.number(v));
-                self.corners.push(numbers);
+        if boundary.len() <= 2 * SMALL - 4 {
+            self.fill_small(boundary, patch);
+        } else {
+            self.fill_large(boundary, patch);
+        }
+        self.cells[0]
+    }
+
+    fn fill_small(&mut self, boundary: &[BoundaryFacet], patch: &mut Patch<'_>) {
+        // One more than there can be: the next is written before it is known to be new.
+        let mut numbered = [0; SMALL + 1];
+        let mut count = 0;
+        self.corners.clear();
+        for (facet, &cell) in boundary.iter().zip(&self.cells) {
+            let mut corners = [0; 3];
+            for i in 0..3 {
+                let place = facet.vertices[i + 1].wrapping_sub(self.first).min(self.count);
+                let local = &mut self.local[place as usize];
+                let is_new = *local == UNNUMBERED;
+                corners[i] = if is_new { count as u8 } else { *local };
+                *local = corners[i];
+                numbered[count] = place;
+                count += usize::from(is_new);
             }
-        } else {
-            let slots = (6 * facets.len()).next_power_of_two();
-            self.keys.clear();
-            self.keys.resize(slots, EMPTY);
-            self.sides.resize(slots, 0);
+            let [a, b, c] = corners;
+            self.corners.push(corners);
+            self.table[edge(b, c)] = cell.facet(1);
+            self.table[edge(c, a)] = cell.facet(2);
+            self.table[edge(a, b)] = cell.facet(3);
+        }
+        for ((facet, &cell), &[a, b, c]) in boundary.iter().zip(&self.cells).zip(&self.corners) {
+            let table = &self.table;
+            let sides = [table[edge(c, b)], table[edge(a, c)], table[edge(b, a)]];
+            put(patch, facet, cell, sides);
+        }
+        for &place in &numbered[..count] {
+            self.local[place as usize] = UNNUMBERED;
         }
     }
 
-    /// Enters the side of a new cell under the edge opposite corner `k` of facet `i`.
-    #[inline]
-    pub fn put(&mut self, i: usize, from: u32, to: u32, k: usize, side: u32) {
-        if self.small {
-            let corners = &self.corners[i];
-            let (from, to) = (corners[(k + 1) % 3], corners[(k + 2) % 3]);
-            self.table[usize::from(from) * SMALL + usize::from(to)] = side;
-        } else {
-            let slot = self.slot(from, to);
-            self.keys[slot] = key(from, to);
-            self.sides[slot] = side;
+    #[cold]
+    fn fill_large(&mut self, boundary: &[BoundaryFacet], patch: &mut Patch<'_>) {
+        let slots = (6 * boundary.len()).next_power_of_two();
+        self.keys.clear();
+        self.keys.resize(slots, EMPTY);
+        self.sides.resize(slots, Facet::default());
+        for (facet, &cell) in boundary.iter().zip(&self.cells) {
+            let [_, a, b, c] = facet.vertices;
+            for (i, (from, to)) in [(b, c), (c, a), (a, b)].into_iter().enumerate() {
+                let slot = self.slot(from, to);
+                self.keys[slot] = key(from, to);
+                self.sides[slot] = cell.facet(i as u32 + 1);
+            }
         }
-    }
-
-    /// The side that was put under the edge from `from` to `to`, the reverse of the edge opposite
-    /// corner `k` of facet `i`.
-    #[inline]
-    pub fn get(&self, i: usize, from: u32, to: u32, k: usize) -> u32 {
-        if self.small {
-            let corners = &self.corners[i];
-            let (to, from) = (corners[(k + 1) % 3], corners[(k + 2) % 3]);
-            self.table[usize::from(from) * SMALL + usize::from(to)]
-        } else {
-            self.sides[self.slot(from, to)]
+        for (facet, &cell) in boundary.iter().zip(&self.cells) {
+            let [_, a, b, c] = facet.vertices;
+            let sides = [(c, b), (a, c), (b, a)].map(|(from, to)| self.sides[self.slot(from, to)]);
+            put(patch, facet, cell, sides);
         }
-    }
-
-    /// Forgets the local numbers.
-    pub fn end(&mut self) {
-        for vertex in self.numbered.drain(..) {
-            self.local[vertex as usize] = UNNUMBERED;
-        }
-    }
-
-    #[inline]
-    fn number(&mut self, vertex: u32) -> u8 {
-        let local = &mut self.local[vertex as usize];
-        if *local == UNNUMBERED {
-            *local = self.numbered.len() as u8;
-            self.numbered.push(vertex);
-        }
-        *local
     }
 
     /// The slot of a directed edge: where it is, or where it belongs.
@@ -121,6 +134,19 @@ impl Star {
         }
         slot
     }
+}
+
+/// Puts the new cell on a boundary facet, given its neighbours across its sides.
+#[inline(always)]
+fn put(patch: &mut Patch<'_>, facet: &BoundaryFacet, cell: Cell, [a, b, c]: [Facet; 3]) {
+    patch.put(cell, facet.vertices, [facet.outer, a, b, c]);
+    patch.set_neighbor(facet.outer, cell.facet(0));
+}
+
+/// The place of a directed edge in the table of a small star.
+#[inline(always)]
+fn edge(from: u8, to: u8) -> usize {
+    (usize::from(from) * SMALL + usize::from(to)) % (SMALL * SMALL)
 }
 
 /// A directed edge in one number; never [`EMPTY`], as its ends differ.

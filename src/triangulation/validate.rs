@@ -2,11 +2,10 @@
 
 use super::Triangulation;
 use super::cells::FACET;
-use super::conflict::{Conflict, Delaunay, Regular, Site};
 use crate::error::{ElementKind, Result};
 use crate::index::NONE;
 use crate::job::{Job, Room, Run, Stage};
-use crate::predicates::{Sign, orient3d};
+use crate::predicates::{Sign, delaunay_conflict, orient3d, position, regular_conflict};
 use crate::sort::sort_by_key;
 use crate::validation::Validation;
 
@@ -64,8 +63,8 @@ impl Triangulation {
             report.check(first, ElementKind::Cell, id, || "its vertices are out of order".into());
             let after = cell == 0 || self.cells[cell - 1] < *corners;
             report.check(after, ElementKind::Cell, id, || "it is out of order".into());
-            let sites = corners.map(|v| Site(self.site(v)));
-            let [p, q, r, s] = sites.each_ref().map(Site::position);
+            let sites = corners.map(|v| self.site(v));
+            let [p, q, r, s] = sites.each_ref().map(position);
             report.check(orient3d(p, q, r, s) == Sign::Positive, ElementKind::Cell, id, || {
                 "it is not positively oriented".into()
             });
@@ -82,7 +81,7 @@ impl Triangulation {
                     });
                     continue;
                 };
-                let apex = Site(self.site(self.cells[neighbor as usize][back]));
+                let apex = self.site(self.cells[neighbor as usize][back]);
                 report.check(!self.in_conflict(&sites, &apex), ElementKind::Cell, id, || {
                     format!(
                         "the vertex of cell {neighbor} beyond facet {slot} is in conflict with it"
@@ -105,12 +104,12 @@ impl Triangulation {
         })
     }
 
-    fn in_conflict(&self, cell: &[Site; 4], point: &Site) -> bool {
+    fn in_conflict(&self, cell: &[[f64; 4]; 4], point: &[f64; 4]) -> bool {
         let [a, b, c, d] = cell;
         if self.is_weighted() {
-            Regular::in_conflict(a, b, c, d, point)
+            regular_conflict(a, b, c, d, point)
         } else {
-            Delaunay::in_conflict(a, b, c, d, point)
+            delaunay_conflict(a, b, c, d, point)
         }
     }
 
@@ -190,11 +189,11 @@ impl Triangulation {
         let mut cell = 0;
         for &vertex in &self.hidden {
             run.poll()?;
-            let site = Site(self.site(vertex));
-            let found = self.locate(*site.position(), cell)?;
+            let site = self.site(vertex);
+            let found = self.locate(*position(&site), cell)?;
             let rightly = found.is_some_and(|found| {
                 cell = found;
-                !self.in_conflict(&self.cells[found as usize].map(|v| Site(self.site(v))), &site)
+                !self.in_conflict(&self.cells[found as usize].map(|v| self.site(v)), &site)
             });
             report.check(rightly, ElementKind::Vertex, u64::from(vertex), || {
                 "it is hidden, but in conflict with the cell that holds it".into()

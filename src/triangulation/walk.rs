@@ -1,65 +1,63 @@
 //! Point location in the triangulation under construction.
 
-use super::cells::Cells;
-use super::conflict::Site;
+use super::cavity::each;
+use super::cells::{Cell, Patch};
+use crate::predicates::around::{Site, beyond_facets};
+use crate::predicates::lanes::Lanes;
 use crate::predicates::{Sign, orient3d};
 
-/// The state of the walks: where the next one starts, and the order in which it tries facets.
-pub(super) struct Walk {
-    /// A cell near the next point.
-    pub cell: u32,
-    random: u32,
+/// The cell that holds the point, or an infinite cell whose hull facet it lies strictly beyond.
+/// `None` if the walk leaves the patch, and `SHARED` says that there are others.
+///
+/// A visibility walk (Devillers, Pion, Teillaud 2002): cross any facet that separates the cell
+/// from the point. It ends in Delaunay and regular triangulations, as their cells are acyclic
+/// as seen from any point.
+#[inline(always)]
+pub(super) fn locate<L: Lanes, S: Site, const SHARED: bool>(
+    patch: &Patch<'_>,
+    sites: &[S],
+    start: Cell,
+    point: &S,
+) -> Option<Cell> {
+    let mut cell = start;
+    if let Some(slot) = patch.infinite_slot(patch.vertices(cell)) {
+        cell = patch.neighbors(cell)[slot].cell();
+    }
+    // The facet that the walk came through, as a bit.
+    let mut entered = 0;
+    loop {
+        let vertices = patch.vertices(cell);
+        if SHARED && !patch.owns(vertices) {
+            return None;
+        }
+        if patch.infinite_slot(vertices).is_some() {
+            return Some(cell);
+        }
+        // A finite cell: every vertex has a site.
+        let corners = each(vertices, |v| sites.get(v as usize).unwrap_or(point));
+        let (beyond, unsure) = beyond_facets::<L, S>(corners, point);
+        let mut beyond = beyond & !entered;
+        if beyond == 0 && unsure & !entered != 0 {
+            beyond = surely_beyond(corners, point, unsure & !entered);
+        }
+        if beyond == 0 {
+            return Some(cell);
+        }
+        let across = patch.neighbors(cell)[beyond.trailing_zeros() as usize & 3];
+        cell = across.cell();
+        entered = 1 << across.slot();
+    }
 }
 
-impl Walk {
-    /// Walks that begin at the given cell.
-    pub fn new(cell: u32) -> Self {
-        Walk { cell, random: 0x2545_f491 }
-    }
-
-    /// The cell that holds the point, or an infinite cell whose hull facet it lies strictly beyond.
-    ///
-    /// A visibility walk (Devillers, Pion, Teillaud 2002): cross any facet that separates the cell
-    /// from the point. It ends in Delaunay and regular triangulations, as their cells are acyclic
-    /// as seen from any point; a random first facet keeps it short.
-    pub fn locate(&mut self, mesh: &Cells<'_>, sites: &[Site], point: &Site) -> u32 {
-        let mut cell = self.cell;
-        if mesh.is_infinite(cell) {
-            cell = mesh.neighbors[cell as usize][3] >> 2;
-        }
-        let point = point.position();
-        let mut entered = u32::MAX;
-        'walk: loop {
-            let vertices = mesh.vertices[cell as usize];
-            if vertices[3] == mesh.infinite {
-                return cell;
-            }
-            let corners = vertices.map(|v| sites[v as usize].position());
-            let first = self.next_random();
-            for step in 0..4 {
-                let slot = ((first + step) & 3) as usize;
-                if slot as u32 == entered {
-                    continue;
-                }
-                let mut corners = corners;
-                corners[slot] = point;
-                let [a, b, c, d] = corners;
-                if orient3d(a, b, c, d) == Sign::Negative {
-                    let across = mesh.neighbors[cell as usize][slot];
-                    cell = across >> 2;
-                    entered = across & 3;
-                    continue 'walk;
-                }
-            }
-            return cell;
-        }
-    }
-
-    /// Two random bits (Marsaglia 2003, xorshift).
-    fn next_random(&mut self) -> u32 {
-        self.random ^= self.random << 13;
-        self.random ^= self.random >> 17;
-        self.random ^= self.random << 5;
-        self.random >> 30
-    }
+/// Of the facets that the filter was unsure of, one beyond which the point lies, as a bit; 0 if there
+/// is none.
+#[cold]
+fn surely_beyond<S: Site>(corners: [&S; 4], point: &S, unsure: u32) -> u32 {
+    let is_beyond = |slot: &usize| {
+        let mut corners = corners.map(S::position);
+        corners[*slot] = point.position();
+        let [a, b, c, d] = corners;
+        unsure >> slot & 1 == 1 && orient3d(a, b, c, d) == Sign::Negative
+    };
+    (0..4).find(is_beyond).map_or(0, |slot| 1 << slot)
 }

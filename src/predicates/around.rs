@@ -1,0 +1,184 @@
+//! Filters that test the four neighbours of a cell, or its four facets, together.
+//!
+//! Let the rows r_i = (x, y, z, l) be those of [`super::lifted`] for the vertices of a cell, with
+//! differences from the point e, and q_i the row of the vertex that the neighbour across facet i has
+//! opposite to it. In the neighbour q_i stands in place of r_i; as it lies on the other side of the
+//! facet, that turns the orientation round, so e is in conflict with the neighbour exactly when the
+//! determinant of the rows with q_i in place of r_i is *positive*. Expanded by the row q_i it is
+//!
+//! ```text
+//! (-1)^i (q.x det(y z l) - q.y det(x z l) + q.z det(x y l) - q.l det(x y z))
+//! ```
+//!
+//! with determinants of the columns of r_(i+1), r_(i+2), r_(i+3), since turning four rows by one
+//! place is an odd permutation. The minors of two rows in x, y and in z, l are shared by all four
+//! neighbours; each lane does the rest for one.
+//!
+//! The vertex at infinity has the row (0, 0, 0, l) for any positive l: a point that moves away to
+//! infinity is lifted infinitely more than it moves. The determinants of infinite cells are then
+//! l times orientations, positive exactly beyond the hull facet.
+//!
+//! # Bounds
+//!
+//! As in [`super::lifted`], every monomial goes through 17 roundings at most: 5 of differences, 4 of
+//! the square and its sums, 2 of a minor, 1 + 2 of the product with a third entry and two sums, 1
+//! of the product with the fourth, and 2 of the sums of four. (Where q.l is the square, it goes
+//! through them where the minor of z, l would.) Fused operations round less often. So the bound is
+//! 408 u X Y Z M here too, with the maxima over all rows in the lane's determinant; we take them over
+//! all of the cell's rows and q_i. The l of the vertex at infinity is the M of some other row, and
+//! not rounded. In the orientations, 8 roundings and 6 terms make 48 u X Y Z, as in [`super::orient`].
+
+use super::lanes::Lanes;
+use super::lifted::{MAXIMUM_BOUND, TINY};
+use super::orient::ORIENT_BOUND;
+
+/// A point of a triangulation, with or without a weight.
+pub(crate) trait Site: Copy {
+    /// Whether it has a weight.
+    const WEIGHTED: bool;
+    fn position(&self) -> &[f64; 3];
+    /// The weight, 0 without one.
+    fn weight(&self) -> f64;
+
+    /// The position and the weight in one row.
+    #[inline(always)]
+    fn row(&self) -> [f64; 4] {
+        let &[x, y, z] = self.position();
+        [x, y, z, self.weight()]
+    }
+}
+
+impl Site for [f64; 3] {
+    const WEIGHTED: bool = false;
+
+    #[inline(always)]
+    fn position(&self) -> &[f64; 3] {
+        self
+    }
+
+    #[inline(always)]
+    fn weight(&self) -> f64 {
+        0.0
+    }
+}
+
+impl Site for [f64; 4] {
+    const WEIGHTED: bool = true;
+
+    #[inline(always)]
+    fn position(&self) -> &[f64; 3] {
+        super::position(self)
+    }
+
+    #[inline(always)]
+    fn weight(&self) -> f64 {
+        self[3]
+    }
+}
+
+/// What the filter found of four neighbours; bit i and entry i are those of the neighbour across
+/// facet i.
+#[derive(Clone, Copy)]
+pub(crate) struct Neighbors {
+    /// In conflict, if the bit is not in `unsure`.
+    pub conflict: u32,
+    /// The filter cannot tell.
+    pub unsure: u32,
+    /// The determinants above: positive for a conflict.
+    pub determinants: [f64; 4],
+    /// X Y Z M.
+    pub products: [f64; 4],
+}
+
+/// Tests whether a point is in conflict with the neighbours of a positively oriented cell.
+///
+/// `infinite` tells which vertex is at infinity, first of the cell, then of those opposite; in place of it
+/// stands the point itself.
+#[inline(always)]
+pub(crate) fn neighbors_in_conflict<L: Lanes, S: Site>(
+    cell: [&S; 4],
+    opposite: [&S; 4],
+    infinite: [L::Mask; 2],
+    point: &S,
+) -> Neighbors {
+    let [x, y, z] = differences::<L, S>(cell, point);
+    let [qx, qy, qz] = differences::<L, S>(opposite, point);
+    let (l, m) = lifts(cell, [x, y, z], point);
+    let (ql, qm) = lifts(opposite, [qx, qy, qz], point);
+    // At most one vertex of a cell is at infinity, so two lanes further there is a finite one.
+    let finite = m.turned::<2>();
+    let (l, m) = (L::select(infinite[0], finite, l), L::select(infinite[0], finite, m));
+    let (ql, qm) = (L::select(infinite[1], m, ql), L::select(infinite[1], m, qm));
+
+    let product = x.abs().largest().max(qx.abs()).mul(y.abs().largest().max(qy.abs()));
+    let product = product.mul(z.abs().largest().max(qz.abs()).mul(m.largest().max(qm)));
+    let bound = product.mul_add(L::splat(MAXIMUM_BOUND), L::splat(TINY));
+
+    let (next_xy, second_xy) = minors(x, y);
+    let (next_zl, second_zl) = minors(z, l);
+    let of_x = three(y, next_zl, second_zl);
+    let of_y = three(x, next_zl, second_zl);
+    let of_z = three(l, next_xy, second_xy);
+    let of_l = three(z, next_xy, second_xy);
+    let determinant = qx.mul_sub(of_x, qy.mul(of_y)).add(qz.mul_sub(of_z, ql.mul(of_l)));
+    let determinant = determinant.alternated();
+    Neighbors {
+        conflict: determinant.greater(bound),
+        unsure: !determinant.abs().greater(bound) & 15,
+        determinants: determinant.array(),
+        products: product.array(),
+    }
+}
+
+/// Tests beyond which facets of a positively oriented finite cell a point lies: the bits of those
+/// where it surely does, and of those where the filter cannot tell.
+#[inline(always)]
+pub(crate) fn beyond_facets<L: Lanes, S: Site>(cell: [&S; 4], point: &S) -> (u32, u32) {
+    let [x, y, z] = differences::<L, S>(cell, point);
+    let product = x.abs().largest().mul(y.abs().largest()).mul(z.abs().largest());
+    let bound = product.mul(L::splat(ORIENT_BOUND));
+    let (next_xy, second_xy) = minors(x, y);
+    // The determinant of a conflict with the vertex at infinity across the facet, but for its sign.
+    let inside = three(z, next_xy, second_xy).alternated();
+    let unsure = !inside.abs().greater(bound) & 15;
+    (!inside.greater(L::splat(0.0)) & 15 & !unsure, unsure)
+}
+
+/// The differences of positions from the point's, by columns.
+#[inline(always)]
+fn differences<L: Lanes, S: Site>(sites: [&S; 4], point: &S) -> [L; 3] {
+    let [a, b, c, d] = sites;
+    let [x, y, z] = L::columns([a.position(), b.position(), c.position(), d.position()]);
+    let &[px, py, pz] = point.position();
+    // Not by `map`: what the standard library compiles is not compiled for AVX2.
+    [x.sub(L::splat(px)), y.sub(L::splat(py)), z.sub(L::splat(pz))]
+}
+
+/// The lifted values l, and L of the bounds: the sums of the absolute values.
+#[inline(always)]
+fn lifts<L: Lanes, S: Site>(sites: [&S; 4], [x, y, z]: [L; 3], point: &S) -> (L, L) {
+    let square = x.mul_add(x, y.mul_add(y, z.mul(z)));
+    if !S::WEIGHTED {
+        return (square, square);
+    }
+    let [a, b, c, d] = sites;
+    let weight = L::of([a.weight(), b.weight(), c.weight(), d.weight()]);
+    let weight = weight.sub(L::splat(point.weight()));
+    (square.sub(weight), square.add(weight.abs()))
+}
+
+/// The minors of the rows i, i + 1, and of the rows i, i + 2.
+#[inline(always)]
+fn minors<L: Lanes>(p: L, q: L) -> (L, L) {
+    let next = p.mul_sub(q.turned::<1>(), p.turned::<1>().mul(q));
+    let second = p.mul_sub(q.turned::<2>(), p.turned::<2>().mul(q));
+    (next, second)
+}
+
+/// The determinants of the rows i + 1, i + 2, i + 3 in a third column and the two of the minors.
+#[inline(always)]
+fn three<L: Lanes>(column: L, next: L, second: L) -> L {
+    let [a, b, c] = [column.turned::<1>(), column.turned::<2>(), column.turned::<3>()];
+    let sum = a.mul_sub(next.turned::<2>(), b.mul(second.turned::<1>()));
+    c.mul_add(next.turned::<1>(), sum)
+}
