@@ -4,6 +4,7 @@
 //! one started meanwhile fails with [`Status::Busy`], and a cancelled job is spent.
 
 mod room;
+mod threads;
 
 pub(crate) use room::Room;
 

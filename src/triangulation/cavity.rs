@@ -192,8 +192,7 @@ fn test<L: Lanes, S: Site>(patch: &Patch<'_>, sites: &[S], cell: Cell, point: &S
     let opposite = each(patch.neighbors(cell), |facet| patch.opposite(facet));
     // The point itself stands in for the vertex at infinity, which has no site.
     let site = |v: u32| sites.get(v as usize).unwrap_or(point);
-    let infinite =
-        [L::equal(vertices, patch.infinite()), L::equal(opposite, patch.infinite())];
+    let infinite = [L::equal(vertices, patch.infinite()), L::equal(opposite, patch.infinite())];
     neighbors_in_conflict::<L, S>(each(vertices, site), each(opposite, site), infinite, point)
 }
 

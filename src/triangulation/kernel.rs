@@ -7,10 +7,10 @@ use super::cells::{Cell, Patch};
 use super::walk;
 use crate::error::Result;
 use crate::job::Run;
-#[cfg(target_arch = "x86_64")]
-use crate::predicates::processor::Avx2;
 use crate::predicates::around::Site;
 use crate::predicates::lanes::Portable;
+#[cfg(target_arch = "x86_64")]
+use crate::predicates::processor::Avx2;
 use crate::predicates::processor::Processor;
 
 /// [`walk::locate`] as fast as the processor can.
@@ -45,9 +45,7 @@ pub(super) fn search<S: Site, const SHARED: bool>(
     run: &Run<'_>,
 ) -> Result<Found> {
     match processor {
-        Processor::Any => {
-            cavity.search::<Portable, S, SHARED>(patch, sites, vertex, start, run)
-        }
+        Processor::Any => cavity.search::<Portable, S, SHARED>(patch, sites, vertex, start, run),
         #[cfg(target_arch = "x86_64")]
         Processor::Avx2 => {
             // SAFETY: as in `locate`.

@@ -1,0 +1,94 @@
+//! Work that is divided among a job's threads.
+
+use super::Run;
+use crate::error::Result;
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+
+impl Run<'_> {
+    /// Does all parts of some work, as many at a time as the job has threads, and returns what they gave in
+    /// the order of the parts. The calling thread works too; with one thread, or one part, no other is started.
+    ///
+    /// Which thread does which part is left to chance: let nothing depend on it. Errors: that of the first part
+    /// in order that failed; parts that have not begun by then are left out.
+    pub(crate) fn in_parallel<T: Send, R: Send>(
+        &self,
+        parts: Vec<T>,
+        work: impl Fn(T) -> Result<R> + Sync,
+    ) -> Result<Vec<R>> {
+        let count = parts.len();
+        let threads = self.threads().min(count);
+        let queue = Mutex::new(parts.into_iter().enumerate());
+        let take = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
+        let drain = || queue.lock().unwrap_or_else(PoisonError::into_inner).by_ref().for_each(drop);
+        let labour = || {
+            let mut done = Vec::new();
+            while let Some((place, part)) = take() {
+                let result = work(part);
+                if result.is_err() {
+                    drain();
+                }
+                done.push((place, result));
+            }
+            done
+        };
+        let mut done = thread::scope(|scope| {
+            let spawn = |_| thread::Builder::new().spawn_scoped(scope, labour).ok();
+            // A thread that the system refuses is one that the others do without.
+            let others: Vec<_> = (1..threads).map_while(spawn).collect();
+            let mut done = labour();
+            for other in others {
+                done.extend(other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
+            }
+            done
+        });
+        done.sort_unstable_by_key(|&(place, _)| place);
+        done.into_iter().map(|(_, result)| result).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::error::{Error, Status};
+    use crate::job::{Job, JobOptions};
+    use std::collections::HashSet;
+    use std::sync::{Barrier, Mutex};
+    use std::thread;
+
+    #[test]
+    fn results_come_in_the_order_of_the_parts_whatever_the_threads() {
+        for threads in [1, 2, 3, 8] {
+            let job = Job::new(JobOptions { threads, ..JobOptions::default() });
+            let seen = Mutex::new(HashSet::new());
+            let squares = job.run(&[], |run| {
+                run.in_parallel((0..100).collect(), |i: usize| {
+                    seen.lock().unwrap().insert(thread::current().id());
+                    Ok(i * i)
+                })
+            });
+            assert_eq!(squares.unwrap(), (0..100).map(|i| i * i).collect::<Vec<_>>());
+            assert!(seen.into_inner().unwrap().len() <= threads);
+        }
+    }
+
+    #[test]
+    fn as_many_parts_run_at_once_as_there_are_threads() {
+        let job = Job::new(JobOptions { threads: 3, ..JobOptions::default() });
+        // Nobody passes unless all three have come.
+        let barrier = Barrier::new(3);
+        let work = |_| Ok(drop(barrier.wait()));
+        job.run(&[], |run| run.in_parallel(vec![(); 3], work)).unwrap();
+    }
+
+    #[test]
+    fn the_first_error_in_order_is_told_and_stops_the_rest() {
+        let job = Job::new(JobOptions { threads: 2, ..JobOptions::default() });
+        let error = job.run(&[], |run| {
+            run.in_parallel((0..1000).collect(), |i: u64| match i {
+                0..10 => Ok(()),
+                _ => Err(Error::new(Status::Degenerate, i.to_string())),
+            })
+        });
+        assert_eq!(error.unwrap_err().message(), "10");
+    }
+}
