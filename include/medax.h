@@ -538,7 +538,8 @@ typedef struct {
      */
     uint64_t memory_ceiling;
     /**
-     * The most threads that builds may use; 0, the default: one per processor. This version builds with one.
+     * The most threads that builds may use; 0, the default: what the environment variable MEDAX_THREADS says, or
+     * one per processor. Results do not depend on it.
      */
     uint32_t threads;
     /**

@@ -35,7 +35,8 @@ pub struct medax_job_options {
     pub struct_size: usize,
     /// The most bytes that a build's own arrays may take at once; 0, the default: no ceiling.
     pub memory_ceiling: u64,
-    /// The most threads that builds may use; 0, the default: one per processor. This version builds with one.
+    /// The most threads that builds may use; 0, the default: what the environment variable MEDAX_THREADS says, or
+    /// one per processor. Results do not depend on it.
     pub threads: u32,
     /// Must be 0.
     pub reserved: u32,

@@ -9,8 +9,8 @@ mod threads;
 pub(crate) use room::Room;
 
 use crate::error::{Error, Result, Status};
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicU8, AtomicU64, Ordering};
+use std::sync::{Mutex, OnceLock};
 use std::thread::{self, ThreadId};
 use std::time::{Duration, Instant};
 
@@ -114,7 +114,8 @@ pub struct StageTime {
 /// The settings of a [`Job`].
 #[derive(Default)]
 pub struct JobOptions {
-    /// The most threads that builds may use; 0 means one per processor. This version builds with one.
+    /// The most threads that builds may use; 0 means what the environment variable `MEDAX_THREADS` says, or
+    /// one per processor. Results do not depend on it.
     pub threads: usize,
     /// The most bytes that a build's own arrays may take at once; 0 means no ceiling.
     pub memory_ceiling: u64,
@@ -183,7 +184,7 @@ impl Job {
     /// The number of threads that a build may use, at least 1.
     pub fn threads(&self) -> usize {
         match self.options.threads {
-            0 => thread::available_parallelism().map_or(1, |n| n.get()),
+            0 => default_threads(),
             n => n,
         }
     }
@@ -226,6 +227,16 @@ impl Job {
         run.advance_to(1.0);
         Ok(built)
     }
+}
+
+/// What `MEDAX_THREADS` says, or one thread per processor.
+fn default_threads() -> usize {
+    static DEFAULT: OnceLock<usize> = OnceLock::new();
+    *DEFAULT.get_or_init(|| {
+        let asked = std::env::var("MEDAX_THREADS").ok().and_then(|value| value.parse().ok());
+        let processors = || thread::available_parallelism().map_or(1, |n| n.get());
+        asked.filter(|&threads| threads > 0).unwrap_or_else(processors)
+    })
 }
 
 /// The part of a plan that is running.

@@ -33,7 +33,7 @@ use super::lifted::{MAXIMUM_BOUND, TINY};
 use super::orient::ORIENT_BOUND;
 
 /// A point of a triangulation, with or without a weight.
-pub(crate) trait Site: Copy {
+pub(crate) trait Site: Copy + Sync {
     /// Whether it has a weight.
     const WEIGHTED: bool;
     fn position(&self) -> &[f64; 3];

@@ -26,7 +26,7 @@ pub(super) struct BoundaryFacet {
 pub(super) enum Found {
     /// The whole cavity.
     Cavity,
-    /// That the cavity, or a cell round it, is not the patch's own. No mark is left.
+    /// That a cell in conflict is not the patch's own. No mark is left.
     Foreign,
 }
 
@@ -118,7 +118,7 @@ impl Cavity {
     }
 
     /// Divides a cell's neighbours into the cavity and what lies round it. Without branches on what
-    /// the tests found: nothing foretells it. Returns `false` if a neighbour is not the patch's own.
+    /// the tests found: nothing foretells it. Returns `false` if one in conflict is not the patch's own.
     #[inline(always)]
     fn sort_out<S: Site, const SHARED: bool>(
         &mut self,
@@ -130,12 +130,6 @@ impl Cavity {
     ) -> bool {
         let facets = patch.neighbors(cell);
         let known = bits(|i| patch.mark(facets[i].cell()) == Mark::Conflict);
-        if SHARED {
-            let owned = bits(|i| patch.owns_vertex(patch.opposite(facets[i])));
-            if (owned | known) != 15 {
-                return false;
-            }
-        }
         let mut conflict = tests.conflict;
         let unsure = tests.unsure & !known;
         stages::count_settled(!tests.unsure & !known);
@@ -144,6 +138,15 @@ impl Cavity {
         }
         let inside = conflict | known;
         let vertices = patch.vertices(cell);
+        if SHARED {
+            // A neighbour has the vertices of the facet, and the one opposite.
+            let own = bits(|i| patch.owns_vertex(vertices[i]));
+            let of_facet = |i: usize| (own & !(1 << i)).count_ones();
+            let opposite = |i: usize| u32::from(patch.owns_vertex(patch.opposite(facets[i])));
+            if inside & !known & !bits(|i| of_facet(i) + opposite(i) >= 3) != 0 {
+                return false;
+            }
+        }
         let cells: &mut [Cell; 4] = window(&mut self.cells, self.cell_count);
         let boundary: &mut [BoundaryFacet; 4] = window(&mut self.boundary, self.facet_count);
         let (mut added, mut outer) = (0, 0);
@@ -241,6 +244,6 @@ pub(super) fn cell_in_conflict<S: Site>(
         // In the plane of the hull facet the circle decides, and it is where the plane
         // cuts the sphere of the finite cell behind the facet. The perturbation agrees: lifting
         // that cell's fourth vertex moves nothing in the plane.
-        Sign::Zero => finite(patch.neighbors(cell)[slot].cell()),
+        Sign::Zero => finite(patch.neighbor(cell.facet(slot as u32)).cell()),
     }
 }

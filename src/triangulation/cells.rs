@@ -9,19 +9,24 @@
 //!
 //! **Initialised.** Slots are filled with zeros, and the arrays as long as that, before they are handed out.
 //!
-//! **No data race.** Several threads insert at once, each through a [`Patch`] of its own. A patch owns a range of
-//! vertices, disjoint from the others', and so the cells whose finite vertices all lie in it; every
-//! cell has at least three. Each thread keeps to two rules:
+//! **No data race.** Several threads insert at once, each through a [`Patch`] of its own. Every vertex but the one at infinity
+//! has one owner among the patches, and *a patch owns the cells of which it owns three vertices or more*; so a cell has one owner, or none.
+//! Each thread keeps to these rules:
 //!
-//! 1. It *writes* only what belongs to slots that it took itself, or to cells that it owns: `vertices` and `neighbors` of
-//!    both, and their marks. A new cell has the new vertex and vertices of cells that the patch owns, so the patch owns it.
-//! 2. It *reads* only cells that it owns, and the vertices and marks of their neighbours. A neighbour shares a facet
-//!    with the cell, so at least two finite vertices: no other patch owns it, and no other thread writes it.
+//! 1. It writes the vertices of a cell, and all its neighbours, only in slots that it took itself, or of cells that it owns.
+//! 2. Of a cell that it does not own it reads the vertices, and writes a neighbour, only where that neighbour is, or was in
+//!    the same place, a cell that it owns.
+//! 3. Marks are atomic.
 //!
-//! So no two threads touch the same element of an array, if one of them writes. Threads begin after the
-//! patches were made, and end before they are closed: what one of them wrote is seen by all afterwards.
+//! Let Y be a cell that the patch owns, and X a neighbour of Y that it does not. X has at least two vertices
+//! of the patch: Y has three, and one facet lacks only one of them. (i) No other patch owns X, which would take three of
+//! the other two. So nobody writes the vertices of X. (ii) Of the neighbours of X, a thread writes only those that it owns or
+//! replaces by its own cells, and these are different places in the array for different threads. So no two threads
+//! touch the same element of an array, if one of them writes. A new cell consists of the new vertex and a facet of a cell that the
+//! patch owns: it has three vertices of the patch at least, so that the patch owns it.
 //!
-//! The rules are kept by `cavity.rs` and `walk.rs`, and checked in debug builds where cells are written. Miri and a stress
+//! Threads begin after the patches were made, and end before these are given up: what one of them wrote is seen by all afterwards.
+//! The rules are kept by `cavity.rs`, `star.rs` and `walk.rs`, and checked in debug builds where cells are written. Miri and a stress
 //! test over many builds watch them too.
 #![allow(unsafe_code)]
 
@@ -29,6 +34,7 @@ use crate::error::{Error, Result, Status};
 use crate::job::{Charge, Run};
 use std::marker::PhantomData;
 use std::ops::Range;
+use std::sync::atomic::{AtomicU8, Ordering};
 
 /// The most cells: a packed neighbour, `4 * cell + facet`, must fit into 32 bits.
 pub const CELL_LIMIT: usize = 1 << 30;
@@ -180,35 +186,28 @@ impl<'a> Cells<'a> {
 
     /// A patch that owns every cell; there is no other as long as it lives.
     pub fn whole(&mut self) -> Patch<'_> {
-        self.patch(0..self.infinite)
-    }
-
-    /// Patches that own disjoint ascending ranges of vertices.
-    pub fn patches(&mut self, ranges: &[Range<u32>]) -> Vec<Patch<'_>> {
-        let mut before = 0;
-        for range in ranges {
-            assert!(before <= range.start && range.start <= range.end, "ranges overlap");
-            before = range.end;
-        }
-        assert!(before <= self.infinite);
-        let Patch { vertices, neighbors, marks, infinite, .. } = self.whole();
-        let patch = |owned: &Range<u32>| {
-            let (first, count) = (owned.start, owned.end - owned.start);
-            Patch { vertices, neighbors, marks, infinite, first, count, lifetime: PhantomData }
-        };
-        ranges.iter().map(patch).collect()
-    }
-
-    fn patch(&mut self, owned: Range<u32>) -> Patch<'_> {
         Patch {
             vertices: self.vertices.as_mut_ptr(),
             neighbors: self.neighbors.as_mut_ptr(),
             marks: self.marks.as_mut_ptr(),
             infinite: self.infinite,
-            first: owned.start,
-            count: owned.end - owned.start,
+            owners: None,
             lifetime: PhantomData,
         }
+    }
+
+    /// So many patches; `owners` tells for each vertex, the one at infinity excepted, which of them owns it.
+    pub fn patches<'p>(&'p mut self, owners: &'p [u8], count: u8) -> Vec<Patch<'p>> {
+        let Patch { vertices, neighbors, marks, infinite, lifetime, .. } = self.whole();
+        let patch = |id| Patch {
+            vertices,
+            neighbors,
+            marks,
+            infinite,
+            owners: Some((owners, id)),
+            lifetime,
+        };
+        (0..count).map(patch).collect()
     }
 
     /// Hands out `count` more slots.
@@ -302,8 +301,8 @@ pub(super) struct Patch<'a> {
     neighbors: *mut [u32; 4],
     marks: *mut Mark,
     infinite: u32,
-    first: u32,
-    count: u32,
+    /// The owner of each vertex, and the number of this patch; `None` if it owns all.
+    owners: Option<(&'a [u8], u8)>,
     lifetime: PhantomData<&'a mut Mark>,
 }
 
@@ -320,13 +319,13 @@ impl Patch<'_> {
 
     #[inline(always)]
     pub fn vertices(&self, cell: Cell) -> [u32; 4] {
-        // SAFETY: a cell is within bounds and initialised; nobody writes it now, by rule 2.
+        // SAFETY: a cell is within bounds and initialised; nobody else writes its vertices, see (i).
         unsafe { self.vertices.add(cell.index()).read() }
     }
 
     #[inline(always)]
     pub fn neighbors(&self, cell: Cell) -> [Facet; 4] {
-        // SAFETY: as for the vertices.
+        // SAFETY: as for the vertices: this is a cell that the patch owns.
         let [a, b, c, d] = unsafe { self.neighbors.add(cell.index()).read() };
         [Facet(a), Facet(b), Facet(c), Facet(d)]
     }
@@ -338,50 +337,63 @@ impl Patch<'_> {
         unsafe { self.vertices.cast::<u32>().add(facet.0 as usize).read() }
     }
 
+    /// The neighbour across a facet.
     #[inline(always)]
-    pub fn mark(&self, cell: Cell) -> Mark {
-        // SAFETY: as for the vertices.
-        unsafe { self.marks.add(cell.index()).read() }
+    pub fn neighbor(&self, facet: Facet) -> Facet {
+        // SAFETY: a facet is within bounds; nobody else writes this neighbour, by rule 2.
+        Facet(unsafe { self.neighbors.cast::<u32>().add(facet.0 as usize).read() })
     }
 
-    /// Marks a cell that the patch owns.
+    #[inline(always)]
+    pub fn mark(&self, cell: Cell) -> Mark {
+        match self.atomic_mark(cell).load(Ordering::Relaxed) {
+            0 => Mark::Unknown,
+            _ => Mark::Conflict,
+        }
+    }
+
+    /// Marks a cell. One that the patch does not own is, and stays, unknown.
     #[inline(always)]
     pub fn set_mark(&mut self, cell: Cell, mark: Mark) {
-        // SAFETY: a cell is within bounds; nobody else touches it, by rule 1.
-        unsafe { self.marks.add(cell.index()).write(mark) }
+        self.atomic_mark(cell).store(mark as u8, Ordering::Relaxed);
+    }
+
+    #[inline(always)]
+    fn atomic_mark(&self, cell: Cell) -> &AtomicU8 {
+        // SAFETY: a cell is within bounds; while there are patches, marks are only accessed here.
+        unsafe { AtomicU8::from_ptr(self.marks.add(cell.index()).cast()) }
     }
 
     /// Fills a slot with a cell that the patch owns.
     #[inline(always)]
     pub fn put(&mut self, cell: Cell, vertices: [u32; 4], [a, b, c, d]: [Facet; 4]) {
         debug_assert!(self.owns(vertices), "{vertices:?}");
-        // SAFETY: as for the mark.
+        // SAFETY: a cell is within bounds; nobody else touches it, by rule 1.
         unsafe {
             self.vertices.add(cell.index()).write(vertices);
             self.neighbors.add(cell.index()).write([a.0, b.0, c.0, d.0]);
-            self.marks.add(cell.index()).write(Mark::Unknown);
         }
+        self.set_mark(cell, Mark::Unknown);
     }
 
-    /// Changes the neighbour across a facet of a cell that the patch owns.
+    /// Changes the neighbour across a facet, where a cell that the patch owns was and is.
     #[inline(always)]
     pub fn set_neighbor(&mut self, facet: Facet, neighbor: Facet) {
-        debug_assert!(self.owns(self.vertices(facet.cell())));
-        // SAFETY: as for the mark; the facet's number is the place of the neighbour.
+        // SAFETY: a facet is within bounds; nobody else touches this neighbour, by rule 2.
         unsafe { self.neighbors.cast::<u32>().add(facet.0 as usize).write(neighbor.0) }
     }
 
-    /// Whether all the vertices are owned or at infinity.
+    /// Whether the patch owns a cell with these vertices.
     #[inline(always)]
-    pub fn owns(&self, vertices: [u32; 4]) -> bool {
-        let [a, b, c, d] = vertices;
-        self.owns_vertex(a) && self.owns_vertex(b) && self.owns_vertex(c) && self.owns_vertex(d)
+    pub fn owns(&self, [a, b, c, d]: [u32; 4]) -> bool {
+        let own = |v| u32::from(self.owns_vertex(v));
+        self.owners.is_none() || own(a) + own(b) + own(c) + own(d) >= 3
     }
 
-    /// Whether a vertex is owned, or at infinity.
+    /// Whether the patch owns a vertex; nobody owns the one at infinity.
     #[inline(always)]
     pub fn owns_vertex(&self, vertex: u32) -> bool {
-        vertex.wrapping_sub(self.first) < self.count || vertex == self.infinite
+        self.owners.is_some_and(|(owners, id)| owners.get(vertex as usize) == Some(&id))
     }
 
     /// The slot of the vertex at infinity.

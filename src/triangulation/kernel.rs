@@ -5,7 +5,6 @@
 use super::cavity::{Cavity, Found};
 use super::cells::{Cell, Patch};
 use super::walk;
-use crate::error::Result;
 use crate::job::Run;
 use crate::predicates::around::Site;
 use crate::predicates::lanes::Portable;
@@ -43,7 +42,7 @@ pub(super) fn search<S: Site, const SHARED: bool>(
     vertex: u32,
     start: Cell,
     run: &Run<'_>,
-) -> Result<Found> {
+) -> crate::error::Result<Found> {
     match processor {
         Processor::Any => cavity.search::<Portable, S, SHARED>(patch, sites, vertex, start, run),
         #[cfg(target_arch = "x86_64")]
@@ -74,6 +73,6 @@ fn search_avx2<S: Site, const SHARED: bool>(
     vertex: u32,
     start: Cell,
     run: &Run<'_>,
-) -> Result<Found> {
+) -> crate::error::Result<Found> {
     cavity.search::<Avx2, S, SHARED>(patch, sites, vertex, start, run)
 }

@@ -19,9 +19,12 @@ mod incidence;
 mod kernel;
 mod locate;
 mod order;
+mod parallel;
+mod partition;
 mod star;
 mod validate;
 mod walk;
+mod worker;
 
 pub use cells::CELL_LIMIT;
 pub use incidence::{Edges, Incidence};

@@ -9,15 +9,40 @@ const ROUND_BITS: u32 = 3;
 /// The least number of points in the first round.
 const FIRST_ROUND: usize = 1 << 10;
 
-/// The number of rounds for this many vertices.
-fn round_count(vertices: usize) -> u32 {
-    let ratio = (vertices / FIRST_ROUND).max(1);
-    ratio.ilog2() / ROUND_BITS + 1
+/// The rounds of insertion. They cost no memory.
+#[derive(Clone, Copy)]
+pub(super) struct Rounds {
+    vertices: usize,
+    /// The number of the first round; the last is round 0.
+    first: u32,
 }
 
-/// The round of a vertex, counted from the last, which is 0.
-fn rounds_before_last(vertex: u32, last: u32) -> u32 {
-    (split_mix(u64::from(vertex)).trailing_zeros() / ROUND_BITS).min(last)
+impl Rounds {
+    /// Rounds for this many vertices.
+    pub fn new(vertices: usize) -> Self {
+        let ratio = (vertices / FIRST_ROUND).max(1);
+        Rounds { vertices, first: ratio.ilog2() / ROUND_BITS }
+    }
+
+    /// The rounds in the order of insertion.
+    pub fn all(self) -> impl Iterator<Item = u32> {
+        (0..=self.first).rev()
+    }
+
+    /// How many vertices a round has, about.
+    pub fn expected_len(self, round: u32) -> usize {
+        let before = self.vertices >> (ROUND_BITS * round);
+        if round == self.first { before } else { before - (before >> ROUND_BITS) }
+    }
+
+    /// The vertices of a round, ascending, that is, in spatial order.
+    pub fn vertices(self, round: u32) -> impl Iterator<Item = u32> + Send {
+        (0..self.vertices as u32).filter(move |&v| self.round_of(v) == round)
+    }
+
+    fn round_of(self, vertex: u32) -> u32 {
+        (split_mix(u64::from(vertex)).trailing_zeros() / ROUND_BITS).min(self.first)
+    }
 }
 
 /// The random number of an index (Steele, Lea, Flood 2014, SplitMix64).
@@ -28,12 +53,10 @@ fn split_mix(index: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// Every vertex once, round by round, each round in spatial order. Costs no memory.
+/// Every vertex once, round by round, each round in spatial order.
 pub(super) fn insertion_order(vertices: usize) -> impl Iterator<Item = u32> {
-    let last = round_count(vertices) - 1;
-    (0..=last).rev().flat_map(move |round| {
-        (0..vertices as u32).filter(move |&v| rounds_before_last(v, last) == round)
-    })
+    let rounds = Rounds::new(vertices);
+    rounds.all().flat_map(move |round| rounds.vertices(round))
 }
 
 #[cfg(test)]
@@ -47,9 +70,12 @@ mod tests {
             order.sort_unstable();
             assert_eq!(order, (0..n as u32).collect::<Vec<_>>());
         }
-        let last = round_count(100_000) - 1;
-        let mut sizes = vec![0usize; last as usize + 1];
-        (0..100_000).for_each(|v| sizes[rounds_before_last(v, last) as usize] += 1);
-        assert!(sizes.windows(2).all(|s| s[0] > 6 * s[1] && s[0] < 10 * s[1]), "{sizes:?}");
+        let rounds = Rounds::new(100_000);
+        let sizes: Vec<usize> = rounds.all().map(|round| rounds.vertices(round).count()).collect();
+        assert!(sizes.windows(2).all(|s| s[1] > 6 * s[0] && s[1] < 10 * s[0]), "{sizes:?}");
+        for (round, &size) in rounds.all().zip(&sizes) {
+            let expected = rounds.expected_len(round);
+            assert!(size.abs_diff(expected) < expected / 8, "{round}: {size}, not {expected}");
+        }
     }
 }

@@ -9,7 +9,6 @@ use super::cavity::{BoundaryFacet, Cavity};
 use super::cells::{Cell, Facet, Patch, Slots};
 use crate::error::Result;
 use crate::job::Room;
-use std::ops::Range;
 
 /// The most vertices of a small star; their local numbers index the table.
 const SMALL: usize = 64;
@@ -22,10 +21,7 @@ const EMPTY: u64 = 0;
 pub(super) struct Star {
     /// The slots of the new cells.
     cells: Vec<Cell>,
-    /// The vertices of the patch: the first, and how many.
-    first: u32,
-    count: u32,
-    /// The local number of each of them in the current small star, else [`UNNUMBERED`]; last the vertex at
+    /// The local number of each vertex in the current small star, else [`UNNUMBERED`]; last the vertex at
     /// infinity.
     local: Vec<u8>,
     /// Per boundary facet of a small star its corners' local numbers.
@@ -38,13 +34,11 @@ pub(super) struct Star {
 }
 
 impl Star {
-    /// Tables for stars among a patch's vertices and the one at infinity.
-    pub fn new(vertices: Range<u32>, room: &mut Room<'_>) -> Result<Self> {
+    /// Tables for stars of so many vertices and the one at infinity.
+    pub fn new(vertices: usize, room: &mut Room<'_>) -> Result<Self> {
         Ok(Star {
             cells: Vec::new(),
-            first: vertices.start,
-            count: vertices.end - vertices.start,
-            local: room.filled(vertices.len() + 1, UNNUMBERED)?,
+            local: room.filled(vertices + 1, UNNUMBERED)?,
             corners: Vec::new(),
             table: Box::new([Facet::default(); SMALL * SMALL]),
             keys: Vec::new(),
@@ -78,12 +72,12 @@ impl Star {
         for (facet, &cell) in boundary.iter().zip(&self.cells) {
             let mut corners = [0; 3];
             for i in 0..3 {
-                let place = facet.vertices[i + 1].wrapping_sub(self.first).min(self.count);
-                let local = &mut self.local[place as usize];
+                let vertex = facet.vertices[i + 1];
+                let local = &mut self.local[vertex as usize];
                 let is_new = *local == UNNUMBERED;
                 corners[i] = if is_new { count as u8 } else { *local };
                 *local = corners[i];
-                numbered[count] = place;
+                numbered[count] = vertex;
                 count += usize::from(is_new);
             }
             let [a, b, c] = corners;
@@ -97,8 +91,8 @@ impl Star {
             let sides = [table[edge(c, b)], table[edge(a, c)], table[edge(b, a)]];
             put(patch, facet, cell, sides);
         }
-        for &place in &numbered[..count] {
-            self.local[place as usize] = UNNUMBERED;
+        for &vertex in &numbered[..count] {
+            self.local[vertex as usize] = UNNUMBERED;
         }
     }
 

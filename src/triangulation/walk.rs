@@ -7,7 +7,7 @@ use crate::predicates::lanes::Lanes;
 use crate::predicates::{Sign, orient3d};
 
 /// The cell that holds the point, or an infinite cell whose hull facet it lies strictly beyond.
-/// `None` if the walk leaves the patch, and `SHARED` says that there are others.
+/// `None` if the walk cannot but leave the patch, where `SHARED` says that there are others.
 ///
 /// A visibility walk (Devillers, Pion, Teillaud 2002): cross any facet that separates the cell
 /// from the point. It ends in Delaunay and regular triangulations, as their cells are acyclic
@@ -27,9 +27,6 @@ pub(super) fn locate<L: Lanes, S: Site, const SHARED: bool>(
     let mut entered = 0;
     loop {
         let vertices = patch.vertices(cell);
-        if SHARED && !patch.owns(vertices) {
-            return None;
-        }
         if patch.infinite_slot(vertices).is_some() {
             return Some(cell);
         }
@@ -43,7 +40,16 @@ pub(super) fn locate<L: Lanes, S: Site, const SHARED: bool>(
         if beyond == 0 {
             return Some(cell);
         }
-        let across = patch.neighbors(cell)[beyond.trailing_zeros() as usize & 3];
+        let neighbors = patch.neighbors(cell);
+        let mut across = neighbors[beyond.trailing_zeros() as usize & 3];
+        // Any of the facets will do, so another one if this one leads out of the patch.
+        while SHARED && !patch.owns(patch.vertices(across.cell())) {
+            beyond &= beyond - 1;
+            if beyond == 0 {
+                return None;
+            }
+            across = neighbors[beyond.trailing_zeros() as usize & 3];
+        }
         cell = across.cell();
         entered = 1 << across.slot();
     }

@@ -21,7 +21,7 @@ enum class Next { go_on, cancel };
 
 /// The settings of a job.
 struct JobOptions {
-    /// The most threads that builds may use; 0: one per processor. This version builds with one.
+    /// The most threads that builds may use; 0: what MEDAX_THREADS says, or one per processor.
     std::uint32_t threads = 0;
     /// The most bytes that a build's own arrays may take at once; 0: no ceiling.
     std::uint64_t memory_ceiling = 0;

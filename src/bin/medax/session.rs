@@ -12,7 +12,7 @@ use std::sync::Arc;
 /// The options that every command takes.
 #[derive(clap::Args)]
 pub struct Options {
-    /// Threads to use at most; 0 means one per processor. This version builds with one
+    /// Threads to use at most; 0 means what MEDAX_THREADS says, or one per processor
     #[arg(long, global = true, value_name = "N", default_value_t = 0)]
     threads: usize,
     /// The most memory that a build's own arrays may take, in MiB; 0 means no ceiling

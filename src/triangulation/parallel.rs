@@ -1,0 +1,249 @@
+//! Insertion by several threads at once (after Marot, Pellerin, Remacle 2019, section 3).
+//!
+//! Space is cut into boxes, one for each thread. A thread inserts a vertex of its box only if all cells in
+//! conflict belong to the box: see `cells.rs`. There are no locks. What cannot be inserted is postponed to the
+//! next pass, which cuts across another axis first, and in the end to one thread. The triangulation is unique, so
+//! the result does not depend on who inserted what, or when.
+
+use super::cells::{Cell, Cells, Patch, Slots};
+use super::partition::{Partition, axes_by_length};
+use super::worker::{Dug, Worker};
+use crate::error::Result;
+use crate::job::{Room, Run};
+use crate::predicates::around::Site;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Points between two looks at the clock.
+const TICK: usize = 64;
+/// The fewest points that are worth a thread.
+const PER_THREAD: usize = if cfg!(test) { 16 } else { 1 << 11 };
+/// The most threads: a box's number is a byte.
+const MOST_THREADS: usize = 255;
+/// How many vertices of a box are tried to find a cell in it.
+const TRIALS: usize = 16;
+/// The most passes of several threads in a round.
+const PASSES: usize = 4;
+/// What the sides of cuts that lie below them have of their fair share of the points, in one pass after the other.
+const SHARES: [f64; PASSES] = [1.0, 0.7, 1.2, 0.5];
+/// How many vertices are looked at to cut space into equal parts.
+const CUT_SAMPLE: usize = 1 << 13;
+
+/// How many threads a round of so many vertices is worth.
+pub(super) fn threads(vertices: usize, run: &Run<'_>) -> usize {
+    run.threads().min(vertices / PER_THREAD).clamp(1, MOST_THREADS)
+}
+
+/// The workers of one build, and how far they are.
+pub(super) struct Crew<'a, S> {
+    run: &'a Run<'a>,
+    room: Room<'a>,
+    sites: &'a [S],
+    /// The axes, the longest first.
+    axes: [usize; 3],
+    /// At least one.
+    workers: Vec<Worker>,
+    /// Some cell.
+    near: Cell,
+    /// The points inserted.
+    done: AtomicUsize,
+    /// The box of each vertex; empty before the first pass of several threads.
+    boxes: Vec<u8>,
+}
+
+impl<'a, S: Site> Crew<'a, S> {
+    /// One worker, at the beginning.
+    pub fn new(cells: &Cells<'_>, sites: &'a [S], run: &'a Run<'a>) -> Result<Self> {
+        let mut room = Room::new(run);
+        let axes = axes_by_length(sites.iter().map(|site| *site.position()));
+        Ok(Crew {
+            run,
+            sites,
+            axes,
+            workers: vec![Worker::new(sites.len(), cells.first(), &mut room)?],
+            near: cells.first(),
+            done: AtomicUsize::new(0),
+            boxes: Vec::new(),
+            room,
+        })
+    }
+
+    /// The slots that are left.
+    pub fn into_slots(self) -> impl Iterator<Item = Slots> {
+        self.workers.into_iter().map(Worker::into_slots)
+    }
+
+    /// Inserts vertices one after the other.
+    ///
+    /// Errors: those of the run and of [`Cells::hand_out`].
+    pub fn insert_in_turn(
+        &mut self,
+        cells: &mut Cells<'_>,
+        vertices: impl Iterator<Item = u32>,
+    ) -> Result<()> {
+        let (run, sites, worker) = (self.run, self.sites, &mut self.workers[0]);
+        worker.begin(self.near);
+        for (i, vertex) in vertices.enumerate() {
+            if i % TICK == 0 {
+                run.tick(self.done.fetch_add(TICK, Ordering::Relaxed), sites.len())?;
+            }
+            if worker.dig::<S, false>(&mut cells.whole(), sites, vertex, run)? == Dug::Cavity {
+                worker.provide(cells)?;
+                worker.fill(&mut cells.whole());
+            }
+        }
+        self.near = worker.near();
+        Ok(())
+    }
+
+    /// Inserts about `expected` vertices, given in spatial order each time that they are asked for, by several
+    /// threads.
+    ///
+    /// Errors: as [`Crew::insert_in_turn`].
+    pub fn insert_at_once<V: Iterator<Item = u32> + Send>(
+        &mut self,
+        cells: &mut Cells<'_>,
+        vertices: impl Fn() -> V + Sync,
+        expected: usize,
+        threads: usize,
+    ) -> Result<()> {
+        let every = self.sites.len().div_ceil(CUT_SAMPLE);
+        self.cut((0..self.sites.len() as u32).step_by(every), threads, 0)?;
+        let mut left = self.pass(cells, vertices, expected, threads)?;
+        for pass in 1..PASSES {
+            let threads = self::threads(left.len(), self.run).min(threads);
+            if threads < 2 {
+                break;
+            }
+            let every = left.len().div_ceil(CUT_SAMPLE);
+            self.cut(left.iter().copied().step_by(every), threads, pass)?;
+            left = self.pass(cells, || left.iter().copied(), left.len(), threads)?;
+        }
+        self.insert_in_turn(cells, left.into_iter())
+    }
+
+    /// One pass of several threads, each in its box. Returns the vertices that are left, in spatial order.
+    fn pass<V: Iterator<Item = u32> + Send>(
+        &mut self,
+        cells: &mut Cells<'_>,
+        vertices: impl Fn() -> V + Sync,
+        expected: usize,
+        threads: usize,
+    ) -> Result<Vec<u32>> {
+        let (run, sites) = (self.run, self.sites);
+        while self.workers.len() < threads {
+            self.workers.push(Worker::new(sites.len(), self.near, &mut self.room)?);
+        }
+        self.provide(cells, expected, threads)?;
+        let mut begun = Vec::new();
+        for (id, worker) in self.workers[..threads].iter_mut().enumerate() {
+            let own = vertices().filter(|&v| usize::from(self.boxes[v as usize]) == id);
+            let near = cell_within(cells, sites, worker, self.near, &self.boxes, own);
+            worker.begin(near.unwrap_or(self.near));
+            begun.push(near.is_some());
+        }
+        let idle = self.workers.split_off(threads);
+        let working = std::mem::replace(&mut self.workers, idle);
+        let (boxes, done) = (&self.boxes, &self.done);
+        let patches = cells.patches(boxes, threads as u8);
+        let parts = working.into_iter().zip(patches).zip(&begun).enumerate();
+        let work = |(id, ((mut worker, mut patch), &begun)): Part<'_>| {
+            let own = vertices().filter(|&v| usize::from(boxes[v as usize]) == id);
+            let mut room = Room::new(run);
+            let mut left = Vec::new();
+            for (i, vertex) in own.enumerate() {
+                if i % TICK == 0 {
+                    run.tick(done.load(Ordering::Relaxed), sites.len())?;
+                }
+                if begun && worker.insert(&mut patch, sites, vertex, run)? {
+                    done.fetch_add(1, Ordering::Relaxed);
+                } else {
+                    room.push(&mut left, vertex)?;
+                }
+            }
+            Ok((worker, left))
+        };
+        let results = run.in_parallel(parts.collect(), work)?;
+        let mut left = Vec::new();
+        let mut working = Vec::new();
+        for ((worker, its), begun) in results.into_iter().zip(begun) {
+            if begun {
+                // Nobody else could change this cell.
+                self.near = worker.near();
+            }
+            working.push(worker);
+            self.room.grow(&mut left, its.len())?;
+            left.extend(its);
+        }
+        working.append(&mut self.workers);
+        self.workers = working;
+        left.sort_unstable();
+        Ok(left)
+    }
+
+    /// Cuts space into boxes for so many threads, by a sample of the vertices to insert: in each pass elsewhere, so
+    /// that what was left near one's cuts is not near the next one's.
+    fn cut(
+        &mut self,
+        sample: impl Iterator<Item = u32>,
+        threads: usize,
+        pass: usize,
+    ) -> Result<()> {
+        let mut sample: Vec<[f64; 3]> =
+            sample.map(|v| *self.sites[v as usize].position()).collect();
+        let (axis, share) = (self.axes[pass % 3], SHARES[pass % SHARES.len()]);
+        let partition = Partition::new(&mut sample, 0..threads as u8, axis, share);
+        if self.boxes.is_empty() {
+            self.boxes = self.room.filled(self.sites.len(), 0)?;
+        }
+        for (of_vertex, site) in self.run.watch(self.boxes.iter_mut().zip(self.sites)).flatten() {
+            *of_vertex = partition.of(site.position());
+        }
+        self.run.poll()
+    }
+
+    /// Hands out slots for the vertices of a pass to the workers.
+    fn provide(&mut self, cells: &mut Cells<'_>, expected: usize, threads: usize) -> Result<()> {
+        let unused: usize = self.workers.iter_mut().map(|worker| worker.slots().len()).sum();
+        let done = self.done.load(Ordering::Relaxed).max(1);
+        let per_point = (cells.len() - unused) as f64 / done as f64;
+        // What is missing in the end makes points wait for the next pass, so a little more is asked for.
+        let wanted = (expected as f64 * per_point * (33.0 / 32.0)) as usize / threads + 512;
+        for worker in &mut self.workers[..threads] {
+            let missing = wanted.saturating_sub(worker.slots().len());
+            if missing > 0 {
+                cells.hand_out(missing, worker.slots())?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The number of a box, who works there, and whether a cell in it was found to begin with.
+type Part<'a> = (usize, ((Worker, Patch<'a>), &'a bool));
+
+/// A cell of a box, given vertices in it.
+fn cell_within<S: Site>(
+    cells: &mut Cells<'_>,
+    sites: &[S],
+    worker: &Worker,
+    from: Cell,
+    boxes: &[u8],
+    vertices: impl Iterator<Item = u32>,
+) -> Option<Cell> {
+    let patch = cells.whole();
+    let mut near = from;
+    let mut step = 0;
+    let mut vertices = vertices;
+    for _ in 0..TRIALS {
+        // Further and further on.
+        let vertex = vertices.nth(step)?;
+        step = 2 * step + 1;
+        near = worker.locate(&patch, sites, near, vertex);
+        let its = Some(&boxes[vertex as usize]);
+        let own = patch.vertices(near).into_iter().filter(|&v| boxes.get(v as usize) == its);
+        if own.count() >= 3 {
+            return Some(near);
+        }
+    }
+    None
+}
