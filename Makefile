@@ -6,9 +6,10 @@ STAGED := $(BUILD)/staged
 MOVED := $(BUILD)/moved
 # The library that counts what settles its predicates, and the test of these counts.
 COUNTED := --features count-stages --test predicates
+HOST = $(shell rustc -vV | sed -n 's/^host: //p')
 CONFIGURE := cmake -S . -B $(BUILD)/medax
 
-.PHONY: help demo test test-rust test-package bench bench-peers header doc install clean
+.PHONY: help demo test test-rust test-package bench bench-peers tsan header doc install clean
 .DEFAULT_GOAL := help
 
 help:
@@ -16,6 +17,7 @@ help:
 	@echo 'make test              every check and test; installs what they need on Debian'
 	@echo 'make bench             how long each stage takes'
 	@echo 'make bench-peers       triangulations against those of CGAL, in turns'
+	@echo 'make tsan              the threads of triangulations under ThreadSanitizer'
 	@echo 'make install PREFIX=   the library, its headers and packages, the program'
 	@echo 'make header            write include/medax.h anew from src/capi'
 	@echo 'make doc               the Rust documentation, in target/doc'
@@ -39,6 +41,7 @@ test-rust:
 	cargo clippy --locked $(COUNTED) -- -D warnings
 	RUSTDOCFLAGS='-D warnings' cargo doc --locked --no-deps
 	cargo test --locked
+	for threads in 1 2 3 8; do MEDAX_THREADS=$$threads cargo test --locked --lib --test structures || exit 1; done
 	cargo test --locked $(COUNTED) stages
 
 # C, C++ against CGAL and OpenMesh, and consumers, all through an installed package that was moved.
@@ -64,6 +67,13 @@ bench-peers:
 	cmake -S benches/peers -B $(BUILD)/peers -G Ninja -DCMAKE_PREFIX_PATH=$(BUILD)/peers-prefix
 	cmake --build $(BUILD)/peers
 	$(BUILD)/peers/peers $(PEERS)
+
+# The insertion by several threads under ThreadSanitizer, with a compiler that has it. The standard library is not
+# compiled for it, so that what the test harness does with its own threads must be left out.
+tsan:
+	RUSTC_BOOTSTRAP=1 RUSTFLAGS='-Zsanitizer=thread -Cunsafe-allow-abi-mismatch=sanitizer' \
+	TSAN_OPTIONS="suppressions=$(CURDIR)/tests/tsan.supp" \
+	cargo test --locked --release --lib --target $(HOST) --target-dir $(BUILD)/tsan parallel
 
 header:
 	MEDAX_WRITE_HEADER=1 cargo test --locked --test header_drift

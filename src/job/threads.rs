@@ -2,7 +2,8 @@
 
 use super::Run;
 use crate::error::Result;
-use std::sync::{Mutex, PoisonError};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
 
 impl Run<'_> {
@@ -16,18 +17,18 @@ impl Run<'_> {
         parts: Vec<T>,
         work: impl Fn(T) -> Result<R> + Sync,
     ) -> Result<Vec<R>> {
-        let count = parts.len();
-        let threads = self.threads().min(count);
-        let queue = Mutex::new(parts.into_iter().enumerate());
-        let take = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
-        let drain = || queue.lock().unwrap_or_else(PoisonError::into_inner).by_ref().for_each(drop);
+        let threads = self.threads().min(parts.len());
+        let parts: Vec<_> = parts.into_iter().map(|part| Mutex::new(Some(part))).collect();
+        let (next, failed) = (AtomicUsize::new(0), AtomicBool::new(false));
+        // Each part is taken once, so that nobody ever waits for its lock.
+        let take = |part: &Mutex<Option<T>>| part.lock().ok().and_then(|mut part| part.take());
         let labour = || {
             let mut done = Vec::new();
-            while let Some((place, part)) = take() {
+            while !failed.load(Ordering::Relaxed) {
+                let place = next.fetch_add(1, Ordering::Relaxed);
+                let Some(part) = parts.get(place).and_then(take) else { break };
                 let result = work(part);
-                if result.is_err() {
-                    drain();
-                }
+                failed.fetch_or(result.is_err(), Ordering::Relaxed);
                 done.push((place, result));
             }
             done

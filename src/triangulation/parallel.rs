@@ -247,3 +247,93 @@ fn cell_within<S: Site>(
     }
     None
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::{Job, JobOptions};
+    use crate::points::Points;
+    use crate::triangulation::Triangulation;
+    use std::sync::Arc;
+
+    /// Numbers in [0, 1), always the same.
+    fn numbers(seed: u64) -> impl FnMut() -> f64 {
+        let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
+        move || {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            (state >> 11) as f64 / (1u64 << 53) as f64
+        }
+    }
+
+    /// Small sets of many kinds, each with a weight per row.
+    fn sets() -> Vec<(&'static str, Vec<[f64; 3]>, Vec<f64>)> {
+        let count = if cfg!(miri) { 100 } else { 3000 };
+        let mut unit = numbers(7);
+        let cube: Vec<_> = (0..count).map(|_| [unit(), unit(), unit()]).collect();
+        let ball = |p: &[f64; 3]| {
+            let d = p.map(|x| 2.0 * x - 1.0);
+            let length = d.iter().map(|x| x * x).sum::<f64>().sqrt().max(1e-3);
+            d.map(|x| x / length)
+        };
+        let sphere = cube.iter().map(ball).collect();
+        let needle = cube.iter().map(|&[x, y, z]| [1000.0 * x, y, z]).collect();
+        let clusters = cube.iter().map(|p| p.map(|x| (8.0 * x).floor() + x * 1e-3)).collect();
+        let lattice =
+            (0..count as u32).map(|i| [i % 13, i / 13 % 13, i / 169].map(f64::from)).collect();
+        let sets = [
+            ("cube", cube),
+            ("sphere", sphere),
+            ("needle", needle),
+            ("clusters", clusters),
+            ("lattice", lattice),
+        ];
+        let sets = sets.into_iter().map(|(name, rows): (_, Vec<[f64; 3]>)| {
+            let weights = rows.iter().map(|_| 0.02 * unit()).collect();
+            (name, rows, weights)
+        });
+        sets.collect()
+    }
+
+    #[test]
+    fn cells_are_the_same_whatever_the_threads() {
+        for (name, rows, weights) in sets() {
+            let build = |threads| {
+                let job = Job::new(JobOptions { threads, ..JobOptions::default() });
+                let points = Points::new(rows.iter().copied(), Default::default(), &job).unwrap();
+                let points = Arc::new(points);
+                let delaunay = Triangulation::delaunay(&points, &job).unwrap();
+                let regular = Triangulation::regular(&points, &weights, &job).unwrap();
+                [delaunay, regular]
+                    .map(|t| (t.cells().to_vec(), t.neighbors().to_vec(), t.hidden().to_vec()))
+            };
+            let one = build(1);
+            for threads in [2, 3, 8] {
+                assert!(build(threads) == one, "{name}, {threads} threads");
+            }
+        }
+    }
+
+    #[test]
+    fn most_points_are_inserted_at_once() {
+        let (_, rows, _) = sets().swap_remove(0);
+        let job = Job::new(JobOptions { threads: 2, ..JobOptions::default() });
+        let points = Points::new(rows.iter().copied(), Default::default(), &job).unwrap();
+        let sites = points.coords();
+        let left = job.run(&[], |run| {
+            let simplex =
+                super::super::build::first_simplex(sites.len(), |v| sites[v as usize], run)?;
+            let mut cells = Cells::new(simplex, sites.len(), run)?;
+            let mut crew = Crew::new(&cells, sites, run)?;
+            let all = || (0..sites.len() as u32).filter(|v| !simplex.contains(v));
+            // Every eighth first, so that the boxes have cells.
+            crew.insert_in_turn(&mut cells, all().filter(|v| v % 8 == 0))?;
+            crew.cut(all(), 2, 0)?;
+            crew.pass(&mut cells, || all().filter(|v| v % 8 != 0), sites.len(), 2)
+        });
+        let left = left.unwrap();
+        assert!(left.is_sorted());
+        assert!(left.len() < sites.len() / 3, "{} of {} were left", left.len(), sites.len());
+    }
+}
