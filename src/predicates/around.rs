@@ -182,3 +182,132 @@ fn three<L: Lanes>(column: L, next: L, second: L) -> L {
     let sum = a.mul_sub(next.turned::<2>(), b.mul(second.turned::<1>()));
     c.mul_add(next.turned::<1>(), sum)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::lanes::Portable;
+    #[cfg(target_arch = "x86_64")]
+    use super::super::processor::{Avx2, Processor};
+    use super::super::{Sign, in_conflict, orient3d};
+    use super::*;
+    use proptest::prelude::*;
+
+    /// "At infinity".
+    const INFINITE: u32 = 9;
+
+    /// The filters' answers with the lanes of any processor and of this one; with index `at` at infinity, of the
+    /// four vertices 0..4 and the four opposite, 4..8.
+    fn filters<S: Site>(points: [&S; 8], at: u32, e: &S) -> Vec<(Neighbors, (u32, u32))> {
+        fn filter<L: Lanes, S: Site>(points: [&S; 8], at: u32, e: &S) -> (Neighbors, (u32, u32)) {
+            let index = |i: u32| if i == at { INFINITE } else { i };
+            let cell = [0, 1, 2, 3].map(index);
+            let opposite = [4, 5, 6, 7].map(index);
+            let site = |i: u32| if i == INFINITE { e } else { points[i as usize] };
+            let infinite = [L::equal(cell, INFINITE), L::equal(opposite, INFINITE)];
+            let tests =
+                neighbors_in_conflict::<L, S>(cell.map(site), opposite.map(site), infinite, e);
+            (tests, beyond_facets::<L, S>([points[0], points[1], points[2], points[3]], e))
+        }
+        let mut answers = vec![filter::<Portable, S>(points, at, e)];
+        #[cfg(target_arch = "x86_64")]
+        if Processor::detect() == Processor::Avx2 {
+            answers.push(filter::<Avx2, S>(points, at, e));
+        }
+        answers
+    }
+
+    /// Checks what the filters are sure of against the predicates, one cell at a time. Returns how many answers were sure.
+    fn check<S: Site>(points: [&S; 8], at: u32, e: &S) -> u32 {
+        let mut sure = 0;
+        let position = |i: usize| points[i].position();
+        for (tests, (beyond, unsure)) in filters(points, at, e) {
+            for i in 0..4 {
+                if at >= 4 && unsure >> i & 1 == 0 {
+                    let mut corners = [0, 1, 2, 3].map(position);
+                    corners[i] = e.position();
+                    let [a, b, c, d] = corners;
+                    let is_beyond = orient3d(a, b, c, d) == Sign::Negative;
+                    assert_eq!(beyond >> i & 1 == 1, is_beyond, "facet {i}");
+                    sure += 1;
+                }
+                if tests.unsure >> i & 1 == 1 {
+                    continue;
+                }
+                let mut cell = [0, 1, 2, 3];
+                cell[i] = 4 + i;
+                let expected = match cell.iter().position(|&j| j == at as usize) {
+                    // Two places exchanged, so that the cell is positive.
+                    None => in_conflict([cell[1], cell[0], cell[2], cell[3]].map(|j| points[j]), e),
+                    Some(slot) => {
+                        let mut corners = cell.map(|j| points[j].position());
+                        corners[slot] = e.position();
+                        let [a, b, c, d] = corners;
+                        orient3d(b, a, c, d) == Sign::Positive
+                    }
+                };
+                assert_eq!(
+                    tests.conflict >> i & 1 == 1,
+                    expected,
+                    "neighbour {i}, {at} at infinity"
+                );
+                sure += 1;
+            }
+        }
+        sure
+    }
+
+    /// Points of a lattice, of a cube, and close to a plane.
+    fn site() -> impl Strategy<Value = [f64; 4]> {
+        let number = prop_oneof![(-3i32..4).prop_map(f64::from), -3.0..3.0f64, -1e-12..1e-12f64];
+        [number.clone().boxed(), number.clone().boxed(), number.clone().boxed(), number.boxed()]
+    }
+
+    proptest! {
+        #[test]
+        fn what_the_filters_are_sure_of_is_true(points in [(); 9].map(|()| site().boxed()), at in 0u32..12) {
+            let mut points = points;
+            let of = |i: usize| points[i].position();
+            match orient3d(of(0), of(1), of(2), of(3)) {
+                Sign::Zero => return Ok(()),
+                Sign::Negative => points.swap(0, 1),
+                Sign::Positive => {}
+            }
+            let [cell_and_opposite @ .., e] = &points;
+            check(cell_and_opposite.each_ref(), at, e);
+            let positions = points.map(|p| *p.position());
+            let [cell_and_opposite @ .., e] = &positions;
+            check(cell_and_opposite.each_ref(), at, e);
+        }
+    }
+
+    #[test]
+    fn the_filters_are_sure_of_points_in_general_position() {
+        let points: Vec<[f64; 3]> = [
+            [0.1, 0.0, 0.2],
+            [1.0, 0.1, 0.0],
+            [0.2, 1.1, 0.1],
+            [0.0, 0.3, 0.9],
+            [1.2, 1.3, 1.1],
+            [-0.9, 0.3, 0.4],
+            [0.4, -1.1, 0.3],
+            [0.3, 0.2, -1.0],
+            [0.35, 0.4, 0.3],
+        ]
+        .to_vec();
+        let around: [&[f64; 3]; 8] = std::array::from_fn(|i| &points[i]);
+        let kinds = filters(around, 12, &points[8]).len() as u32;
+        assert_eq!(check(around, 12, &points[8]), 8 * kinds);
+        assert_eq!(check(around, 2, &points[8]), 4 * kinds);
+        assert_eq!(check(around, 5, &points[8]), 8 * kinds);
+    }
+
+    #[test]
+    fn new_cells_are_the_same_on_every_processor() {
+        let expected = [[9, 2, 3, 4], [9, 1, 4, 3], [9, 4, 1, 2], [9, 3, 2, 1]];
+        assert_eq!(Portable::cells_on_facets([1, 2, 3, 4], 9), expected);
+        #[cfg(target_arch = "x86_64")]
+        if Processor::detect() == Processor::Avx2 {
+            assert_eq!(Avx2::cells_on_facets([1, 2, 3, 4], 9), expected);
+        }
+    }
+}

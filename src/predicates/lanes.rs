@@ -38,6 +38,9 @@ pub(crate) trait Lanes: Copy {
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
     /// Bit i is set if lane i is greater than the other's.
     fn greater(self, other: Self) -> u32;
+    /// The four cells that a point makes with the facets of one that holds it. In row i first the point, then the vertices but
+    /// for the one in slot i; all have the cell's orientation.
+    fn cells_on_facets(cell: [u32; 4], point: u32) -> [[u32; 4]; 4];
 
     /// The largest of the four, four times.
     #[inline(always)]
@@ -140,5 +143,10 @@ impl Lanes for Portable {
     #[inline(always)]
     fn greater(self, other: Self) -> u32 {
         (0..4).map(|i| u32::from(self.0[i] > other.0[i]) << i).sum()
+    }
+
+    #[inline(always)]
+    fn cells_on_facets([a, b, c, d]: [u32; 4], point: u32) -> [[u32; 4]; 4] {
+        [[point, b, c, d], [point, a, d, c], [point, d, a, b], [point, c, b, a]]
     }
 }

@@ -15,7 +15,6 @@ use super::orient::orient3d;
 use super::sign::Sign;
 use super::stages::{self, Stage};
 use super::{lifted, position, processor};
-use std::cmp::Ordering;
 
 /// Whether e is in conflict with the positively oriented Delaunay cell abcd: inside its sphere,
 /// ties broken by the perturbation.
@@ -85,24 +84,33 @@ pub(crate) fn settle<S: Site>(cell: [&S; 4], e: &S, determinant: f64, product: f
 fn perturbed(cell: [&[f64; 4]; 4], e: &[f64; 4]) -> bool {
     stages::count(Stage::Perturbed);
     let (cell, e) = (cell.map(position), position(e));
-    let mut left = [true; 4];
+    let mut left =
+        [greater(cell[0], e), greater(cell[1], e), greater(cell[2], e), greater(cell[3], e)];
     loop {
-        let vertices_left = (0..4).filter(|&i| left[i]);
-        let largest = vertices_left.max_by(|&i, &j| lexicographic(cell[i], cell[j]));
-        let Some(i) = largest.filter(|&i| lexicographic(cell[i], e).is_gt()) else {
+        // The largest vertex that is left; 4 stands for e.
+        let mut largest = 4;
+        for i in 0..4 {
+            if left[i] && (largest == 4 || greater(cell[i], cell[largest])) {
+                largest = i;
+            }
+        }
+        if largest == 4 {
             return false;
-        };
+        }
         let mut replaced = cell;
-        replaced[i] = e;
+        replaced[largest] = e;
         let [a, b, c, d] = replaced;
         match orient3d(a, b, c, d) {
-            Sign::Zero => left[i] = false,
+            Sign::Zero => left[largest] = false,
             sign => return sign.is_positive(),
         }
     }
 }
 
-/// The order of positions by x, then y, then z. Finite coordinates are always comparable.
-fn lexicographic(p: &[f64; 3], q: &[f64; 3]) -> Ordering {
-    p.partial_cmp(q).unwrap_or(Ordering::Equal)
+/// Whether a position comes after another in the order by x, then y, then z. Without branches: on lattices
+/// nothing foretells them.
+#[inline(always)]
+fn greater(p: &[f64; 3], q: &[f64; 3]) -> bool {
+    let order = |i: usize| i32::from(p[i] > q[i]) - i32::from(p[i] < q[i]);
+    4 * order(0) + 2 * order(1) + order(2) > 0
 }

@@ -155,6 +155,22 @@ mod avx2 {
         fn greater(self, other: Self) -> u32 {
             avx2!(_mm256_movemask_pd(_mm256_cmp_pd::<_CMP_GT_OQ>(self.0, other.0))) as u32
         }
+
+        #[inline(always)]
+        fn cells_on_facets([a, b, c, d]: [u32; 4], point: u32) -> [[u32; 4]; 4] {
+            // SAFETY: the processor has AVX2; four registers of four numbers are four arrays of them.
+            unsafe {
+                let cell = _mm_setr_epi32(a as i32, b as i32, c as i32, d as i32);
+                let point = _mm_set1_epi32(point as i32);
+                let cells = [
+                    _mm_blend_epi32::<1>(cell, point),
+                    _mm_blend_epi32::<1>(_mm_shuffle_epi32::<0b10_11_00_00>(cell), point),
+                    _mm_blend_epi32::<1>(_mm_shuffle_epi32::<0b01_00_11_00>(cell), point),
+                    _mm_blend_epi32::<1>(_mm_shuffle_epi32::<0b00_01_10_00>(cell), point),
+                ];
+                std::mem::transmute::<[__m128i; 4], [[u32; 4]; 4]>(cells)
+            }
+        }
     }
 }
 

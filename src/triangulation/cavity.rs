@@ -1,7 +1,7 @@
 //! The cavity of a new point: the cells in conflict with it, and the facets round them (Bowyer 1981,
 //! Watson 1981).
 
-use super::cells::{Cell, FACET, Facet, Mark, Patch};
+use super::cells::{Cell, FACET, Facet, Patch};
 use crate::error::Result;
 use crate::job::Run;
 use crate::predicates::around::{Neighbors, Site, neighbors_in_conflict};
@@ -13,6 +13,7 @@ const TICK: usize = 1024;
 
 /// A facet between a cell in conflict and one that is not.
 #[derive(Clone, Copy, Default)]
+#[repr(align(32))]
 pub(super) struct BoundaryFacet {
     /// The new cell on it: the new point, and the facet's vertices, which turn counterclockwise seen from
     /// the point.
@@ -66,11 +67,13 @@ impl Cavity {
         start: Cell,
         run: &Run<'_>,
     ) -> Result<Found> {
+        let mut patch = patch.reborrow();
+        let patch = &mut patch;
         (self.cell_count, self.facet_count) = (0, 0);
         self.make_room(start);
         self.cells[0] = start;
         self.cell_count = 1;
-        patch.set_mark(start, Mark::Conflict);
+        patch.set_mark(start, true);
         let point = &sites[vertex as usize];
         let mut next = 0;
         while next < self.cell_count {
@@ -84,11 +87,11 @@ impl Cavity {
             if next + 1 < self.cell_count {
                 let second = self.cells[next + 1];
                 let of_second = test::<L, S>(patch, sites, second, point);
-                own &= self.sort_out::<S, SHARED>(patch, sites, vertex, cell, &of_cell);
-                own &= self.sort_out::<S, SHARED>(patch, sites, vertex, second, &of_second);
+                own &= self.sort_out::<L, S, SHARED>(patch, sites, vertex, cell, &of_cell);
+                own &= self.sort_out::<L, S, SHARED>(patch, sites, vertex, second, &of_second);
                 next += 2;
             } else {
-                own &= self.sort_out::<S, SHARED>(patch, sites, vertex, cell, &of_cell);
+                own &= self.sort_out::<L, S, SHARED>(patch, sites, vertex, cell, &of_cell);
                 next += 1;
             }
             if SHARED && !own {
@@ -102,7 +105,7 @@ impl Cavity {
     /// Takes the marks back.
     pub fn forget(&mut self, patch: &mut Patch<'_>) {
         for &cell in self.cells() {
-            patch.set_mark(cell, Mark::Unknown);
+            patch.set_mark(cell, false);
         }
     }
 
@@ -110,17 +113,23 @@ impl Cavity {
     #[inline(always)]
     fn make_room(&mut self, any: Cell) {
         if self.cells.len() < self.cell_count + 8 || self.boundary.len() < self.facet_count + 8 {
-            let cells = 2 * self.cell_count + 64;
-            self.cells.resize(self.cells.len().max(cells), any);
-            let facets = 2 * self.facet_count + 64;
-            self.boundary.resize(self.boundary.len().max(facets), BoundaryFacet::default());
+            self.grow(any);
         }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn grow(&mut self, any: Cell) {
+        let cells = 2 * self.cell_count + 64;
+        self.cells.resize(self.cells.len().max(cells), any);
+        let facets = 2 * self.facet_count + 64;
+        self.boundary.resize(self.boundary.len().max(facets), BoundaryFacet::default());
     }
 
     /// Divides a cell's neighbours into the cavity and what lies round it. Without branches on what
     /// the tests found: nothing foretells it. Returns `false` if one in conflict is not the patch's own.
     #[inline(always)]
-    fn sort_out<S: Site, const SHARED: bool>(
+    fn sort_out<L: Lanes, S: Site, const SHARED: bool>(
         &mut self,
         patch: &mut Patch<'_>,
         sites: &[S],
@@ -129,12 +138,12 @@ impl Cavity {
         tests: &Neighbors,
     ) -> bool {
         let facets = patch.neighbors(cell);
-        let known = bits(|i| patch.mark(facets[i].cell()) == Mark::Conflict);
+        let known = bits(|i| patch.is_marked(facets[i].cell()));
         let mut conflict = tests.conflict;
         let unsure = tests.unsure & !known;
         stages::count_settled(!tests.unsure & !known);
         if unsure != 0 {
-            conflict |= settle_unsure(patch, sites, vertex, facets, unsure, tests);
+            conflict |= settle_unsure(patch.reborrow(), sites, vertex, facets, unsure, tests);
         }
         let inside = conflict | known;
         let vertices = patch.vertices(cell);
@@ -147,28 +156,22 @@ impl Cavity {
                 return false;
             }
         }
+        let new_cells = L::cells_on_facets(vertices, vertex);
         let cells: &mut [Cell; 4] = window(&mut self.cells, self.cell_count);
         let boundary: &mut [BoundaryFacet; 4] = window(&mut self.boundary, self.facet_count);
         let (mut added, mut outer) = (0, 0);
         for i in 0..4 {
-            let [a, b, c] = FACET[i];
-            let (a, b, c) = (vertices[a], vertices[b], vertices[c]);
-            let is_inside = (inside >> i & 1) as usize;
-            let is_new = (inside & !known) >> i & 1;
             cells[added & 3] = facets[i].cell();
-            added += is_new as usize;
-            patch.set_mark(facets[i].cell(), MARKS[is_inside]);
-            boundary[outer & 3] = BoundaryFacet { vertices: [vertex, a, b, c], outer: facets[i] };
-            outer += 1 - is_inside;
+            added += ((inside & !known) >> i & 1) as usize;
+            patch.set_mark(facets[i].cell(), inside >> i & 1 == 1);
+            boundary[outer & 3] = BoundaryFacet { vertices: new_cells[i], outer: facets[i] };
+            outer += (!inside >> i & 1) as usize;
         }
         self.cell_count += added;
         self.facet_count += outer;
         true
     }
 }
-
-/// The mark of a cell outside the cavity, and of one inside.
-const MARKS: [Mark; 2] = [Mark::Unknown, Mark::Conflict];
 
 /// Four elements from a place on.
 #[inline(always)]
@@ -203,7 +206,7 @@ fn test<L: Lanes, S: Site>(patch: &Patch<'_>, sites: &[S], cell: Cell, point: &S
 #[cold]
 #[inline(never)]
 fn settle_unsure<S: Site>(
-    patch: &Patch<'_>,
+    patch: Patch<'_>,
     sites: &[S],
     vertex: u32,
     neighbors: [Facet; 4],
@@ -217,7 +220,7 @@ fn settle_unsure<S: Site>(
         if unsure >> i & 1 == 0 {
             false
         } else if patch.infinite_slot(vertices).is_some() {
-            cell_in_conflict(patch, sites, cell, point)
+            cell_in_conflict(&patch, sites, cell, point)
         } else {
             let vertices = vertices.map(|v| &sites[v as usize]);
             // The filter's cells have the wrong orientation, and so its determinants the other sign.

@@ -311,6 +311,12 @@ pub(super) struct Patch<'a> {
 unsafe impl Send for Patch<'_> {}
 
 impl Patch<'_> {
+    /// The same patch, for a while: a copy of the pointers that the compiler can keep in registers.
+    #[inline(always)]
+    pub fn reborrow(&mut self) -> Patch<'_> {
+        Patch { ..*self }
+    }
+
     /// The vertex at infinity.
     #[inline(always)]
     pub fn infinite(&self) -> u32 {
@@ -344,18 +350,16 @@ impl Patch<'_> {
         Facet(unsafe { self.neighbors.cast::<u32>().add(facet.0 as usize).read() })
     }
 
+    /// Whether a cell is in conflict with the new point, as far as is known; free slots are marked too.
     #[inline(always)]
-    pub fn mark(&self, cell: Cell) -> Mark {
-        match self.atomic_mark(cell).load(Ordering::Relaxed) {
-            0 => Mark::Unknown,
-            _ => Mark::Conflict,
-        }
+    pub fn is_marked(&self, cell: Cell) -> bool {
+        self.atomic_mark(cell).load(Ordering::Relaxed) != 0
     }
 
-    /// Marks a cell. One that the patch does not own is, and stays, unknown.
+    /// Marks a cell, or not. One that the patch does not own is, and stays, unmarked.
     #[inline(always)]
-    pub fn set_mark(&mut self, cell: Cell, mark: Mark) {
-        self.atomic_mark(cell).store(mark as u8, Ordering::Relaxed);
+    pub fn set_mark(&mut self, cell: Cell, in_conflict: bool) {
+        self.atomic_mark(cell).store(u8::from(in_conflict), Ordering::Relaxed);
     }
 
     #[inline(always)]
@@ -373,7 +377,7 @@ impl Patch<'_> {
             self.vertices.add(cell.index()).write(vertices);
             self.neighbors.add(cell.index()).write([a.0, b.0, c.0, d.0]);
         }
-        self.set_mark(cell, Mark::Unknown);
+        self.set_mark(cell, false);
     }
 
     /// Changes the neighbour across a facet, where a cell that the patch owns was and is.

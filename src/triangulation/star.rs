@@ -12,6 +12,8 @@ use crate::job::Room;
 
 /// The most vertices of a small star; their local numbers index the table.
 const SMALL: usize = 64;
+/// The most facets of its boundary: a triangulated sphere with v vertices has 2 v - 4.
+const FACETS: usize = 2 * SMALL - 4;
 /// "No local number yet".
 const UNNUMBERED: u8 = u8::MAX;
 /// An empty slot of the hash table: no edge runs from a vertex to itself.
@@ -24,8 +26,10 @@ pub(super) struct Star {
     /// The local number of each vertex in the current small star, else [`UNNUMBERED`]; last the vertex at
     /// infinity.
     local: Vec<u8>,
-    /// Per boundary facet of a small star its corners' local numbers.
-    corners: Vec<[u8; 3]>,
+    /// The local numbers of the corners of each boundary facet.
+    numbers: Box<[[u8; 3]; FACETS]>,
+    /// The vertices that have a local number.
+    numbered: Box<[u32; 2 * SMALL]>,
     /// `table[from * SMALL + to]`: the side of the new cell with that edge.
     table: Box<[Facet; SMALL * SMALL]>,
     /// Open addressing: directed edges and their sides, for large stars.
@@ -39,7 +43,8 @@ impl Star {
         Ok(Star {
             cells: Vec::new(),
             local: room.filled(vertices + 1, UNNUMBERED)?,
-            corners: Vec::new(),
+            numbers: Box::new([[0; 3]; FACETS]),
+            numbered: Box::new([0; 2 * SMALL]),
             table: Box::new([Facet::default(); SMALL * SMALL]),
             keys: Vec::new(),
             sides: Vec::new(),
@@ -55,8 +60,7 @@ impl Star {
         self.cells.extend_from_slice(reused);
         slots.take(boundary.len() - reused.len(), &mut self.cells);
         slots.give_back(unused);
-        // A triangulated sphere with v vertices has 2 v - 4 facets; a cavity's boundary is one.
-        if boundary.len() <= 2 * SMALL - 4 {
+        if boundary.len() <= FACETS {
             self.fill_small(boundary, patch);
         } else {
             self.fill_large(boundary, patch);
@@ -65,34 +69,30 @@ impl Star {
     }
 
     fn fill_small(&mut self, boundary: &[BoundaryFacet], patch: &mut Patch<'_>) {
-        // One more than there can be: the next is written before it is known to be new.
-        let mut numbered = [0; SMALL + 1];
+        let Star { cells, local, table, numbers, numbered, .. } = self;
         let mut count = 0;
-        self.corners.clear();
-        for (facet, &cell) in boundary.iter().zip(&self.cells) {
-            let mut corners = [0; 3];
+        for ((facet, &cell), numbers) in boundary.iter().zip(&*cells).zip(numbers.iter_mut()) {
             for i in 0..3 {
                 let vertex = facet.vertices[i + 1];
-                let local = &mut self.local[vertex as usize];
+                let local = &mut local[vertex as usize];
                 let is_new = *local == UNNUMBERED;
-                corners[i] = if is_new { count as u8 } else { *local };
-                *local = corners[i];
-                numbered[count] = vertex;
+                numbers[i] = if is_new { count as u8 } else { *local };
+                *local = numbers[i];
+                // Written before it is known to be new: there is room for more than there can be.
+                numbered[count % (2 * SMALL)] = vertex;
                 count += usize::from(is_new);
             }
-            let [a, b, c] = corners;
-            self.corners.push(corners);
-            self.table[edge(b, c)] = cell.facet(1);
-            self.table[edge(c, a)] = cell.facet(2);
-            self.table[edge(a, b)] = cell.facet(3);
+            let &mut [a, b, c] = numbers;
+            table[edge(b, c)] = cell.facet(1);
+            table[edge(c, a)] = cell.facet(2);
+            table[edge(a, b)] = cell.facet(3);
         }
-        for ((facet, &cell), &[a, b, c]) in boundary.iter().zip(&self.cells).zip(&self.corners) {
-            let table = &self.table;
+        for ((facet, &cell), &[a, b, c]) in boundary.iter().zip(&*cells).zip(&**numbers) {
             let sides = [table[edge(c, b)], table[edge(a, c)], table[edge(b, a)]];
             put(patch, facet, cell, sides);
         }
         for &vertex in &numbered[..count] {
-            self.local[vertex as usize] = UNNUMBERED;
+            local[vertex as usize] = UNNUMBERED;
         }
     }
 

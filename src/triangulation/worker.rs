@@ -1,7 +1,7 @@
 //! What one thread needs to insert points.
 
 use super::cavity::{Cavity, Found, cell_in_conflict};
-use super::cells::{Cell, Cells, Mark, Patch, Slots};
+use super::cells::{Cell, Cells, Patch, Slots};
 use super::kernel;
 use super::star::Star;
 use crate::error::Result;
@@ -116,7 +116,7 @@ impl Worker {
         self.walks[1] += 1;
         let anchor = self.anchors[self.walks[1] % ANCHORS];
         // Cells in conflict keep their mark when their slots are given back.
-        if patch.mark(anchor) == Mark::Unknown {
+        if !patch.is_marked(anchor) {
             self.near = anchor;
         }
     }
