@@ -77,8 +77,9 @@ mod tests {
         let job = Job::new(JobOptions { threads: 3, ..JobOptions::default() });
         // Nobody passes unless all three have come.
         let barrier = Barrier::new(3);
-        let work = |_| Ok(drop(barrier.wait()));
-        job.run(&[], |run| run.in_parallel(vec![(); 3], work)).unwrap();
+        let work = |_| Ok(barrier.wait().is_leader());
+        let leaders = job.run(&[], |run| run.in_parallel(vec![(); 3], work)).unwrap();
+        assert_eq!(leaders.into_iter().filter(|&is_leader| is_leader).count(), 1);
     }
 
     #[test]

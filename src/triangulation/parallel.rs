@@ -267,8 +267,11 @@ mod tests {
         }
     }
 
-    /// Small sets of many kinds, each with a weight per row.
-    fn sets() -> Vec<(&'static str, Vec<[f64; 3]>, Vec<f64>)> {
+    /// A name, rows, and a weight per row.
+    type Set = (&'static str, Vec<[f64; 3]>, Vec<f64>);
+
+    /// Small sets of many kinds.
+    fn sets() -> Vec<Set> {
         let count = if cfg!(miri) { 100 } else { 3000 };
         let mut unit = numbers(7);
         let cube: Vec<_> = (0..count).map(|_| [unit(), unit(), unit()]).collect();

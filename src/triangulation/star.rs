@@ -72,12 +72,12 @@ impl Star {
         let Star { cells, local, table, numbers, numbered, .. } = self;
         let mut count = 0;
         for ((facet, &cell), numbers) in boundary.iter().zip(&*cells).zip(numbers.iter_mut()) {
-            for i in 0..3 {
-                let vertex = facet.vertices[i + 1];
+            let [_, corners @ ..] = facet.vertices;
+            for (number, vertex) in numbers.iter_mut().zip(corners) {
                 let local = &mut local[vertex as usize];
                 let is_new = *local == UNNUMBERED;
-                numbers[i] = if is_new { count as u8 } else { *local };
-                *local = numbers[i];
+                *number = if is_new { count as u8 } else { *local };
+                *local = *number;
                 // Written before it is known to be new: there is room for more than there can be.
                 numbered[count % (2 * SMALL)] = vertex;
                 count += usize::from(is_new);

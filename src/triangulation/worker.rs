@@ -143,7 +143,7 @@ impl Worker {
             Dug::Cavity => {
                 self.fill(patch);
                 self.walks[0] += 1;
-                if self.walks[0] % ANCHOR_EVERY == 0 {
+                if self.walks[0].is_multiple_of(ANCHOR_EVERY) {
                     self.anchors[self.walks[0] / ANCHOR_EVERY % ANCHORS] = self.near;
                 }
                 Ok(true)
