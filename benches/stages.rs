@@ -1,18 +1,16 @@
-//! How long each stage takes: `make bench`, or `cargo bench -- 100000` for another size.
+//! How long each stage takes: `make bench`, or `cargo bench --bench stages -- bracket` for some.
 //!
-//! Each case runs several times on one machine that should be idle; the table gives the least and the
-//! median time of each stage, points per second of the median, and the peak of the arrays that
-//! builds charge to their job.
+//! Each benchmark runs whole builds on one thread and counts the time of one of their stages, as the job tells it. For the
+//! effect of a change: `-- --save-baseline before`, then `-- --baseline before`. The machine should be idle.
 
+use criterion::{BenchmarkId, Criterion, Throughput};
 use medax::crust::PowerCrustOptions;
 use medax::dual::{Dual, DualOptions};
 use medax::points::PointsOptions;
 use medax::sample::{SampleOptions, Shape, sample};
-use medax::{Job, Points, PowerCrust, Triangulation};
+use medax::{Job, JobOptions, Points, PowerCrust, Stage, Triangulation};
 use std::sync::Arc;
-
-/// How often each case runs.
-const RUNS: usize = 5;
+use std::time::Duration;
 
 /// Uniform random points of the unit cube, by a generator that is good enough for this
 /// (Marsaglia 2003, *Xorshift RNGs*).
@@ -36,49 +34,59 @@ fn surface(shape: Shape, count: usize) -> Vec<[f64; 3]> {
     sample(shape, options, &job).unwrap().points().to_vec()
 }
 
-/// Runs the build several times and prints a line for each of its stages.
-fn measure(name: &str, rows: &[[f64; 3]], build: impl Fn(&Arc<Points>, &Job)) {
-    let mut runs = Vec::new();
-    let mut peak = 0;
-    for _ in 0..RUNS {
-        let job = Job::default();
-        let points = Points::new(rows.iter().copied(), PointsOptions::default(), &job).unwrap();
-        build(&Arc::new(points), &job);
-        runs.push(job.times());
-        peak = peak.max(job.memory_peak());
+/// A benchmark for each of the stages of a build.
+fn measure(
+    criterion: &mut Criterion,
+    name: &str,
+    rows: &[[f64; 3]],
+    stages: &[Stage],
+    build: impl Fn(&Arc<Points>, &Job),
+) {
+    let mut group = criterion.benchmark_group(name);
+    group.throughput(Throughput::Elements(rows.len() as u64)).sample_size(10);
+    for &stage in stages {
+        let id = BenchmarkId::new(stage.name(), rows.len());
+        group.bench_function(id, |bencher| {
+            bencher.iter_custom(|runs| {
+                let mut spent = 0.0;
+                for _ in 0..runs {
+                    let job = Job::new(JobOptions { threads: 1, ..JobOptions::default() });
+                    let points = Points::new(rows.iter().copied(), PointsOptions::default(), &job);
+                    build(&Arc::new(points.unwrap()), &job);
+                    let times = job.times();
+                    let its = times.iter().filter(|time| time.stage == stage);
+                    spent += its.map(|time| time.wall_seconds).sum::<f64>();
+                }
+                Duration::from_secs_f64(spent)
+            });
+        });
     }
-    println!(
-        "{name}, {} points, peak {:.0} bytes a point",
-        rows.len(),
-        peak as f64 / rows.len() as f64
-    );
-    for (i, stage) in runs[0].iter().enumerate() {
-        let mut seconds: Vec<f64> = runs.iter().map(|times| times[i].wall_seconds).collect();
-        seconds.sort_unstable_by(f64::total_cmp);
-        let median = seconds[RUNS / 2];
-        println!(
-            "    {:<12} {:>9.4} s least {:>9.4} s median {:>12.0} points/s",
-            stage.stage.name(),
-            seconds[0],
-            median,
-            rows.len() as f64 / median
-        );
+}
+
+fn stages(criterion: &mut Criterion) {
+    let of_dual = [Stage::Order, Stage::Triangulate, Stage::Dual];
+    measure(criterion, "uniform", &uniform(50_000), &of_dual, |points, job| {
+        let triangulation = Arc::new(Triangulation::delaunay(points, job).unwrap());
+        Dual::new(&triangulation, DualOptions { facets: true }, job).unwrap();
+    });
+    let of_crust = [
+        Stage::Triangulate,
+        Stage::Dual,
+        Stage::Poles,
+        Stage::Regular,
+        Stage::Label,
+        Stage::Extract,
+    ];
+    for shape in [Shape::Torus, Shape::Bracket] {
+        let rows = surface(shape, 20_000);
+        measure(criterion, shape.name(), &rows, &of_crust, |points, job| {
+            PowerCrust::build(points, PowerCrustOptions::default(), job).unwrap();
+        });
     }
 }
 
 fn main() {
-    // Cargo passes --bench; a number is the size.
-    let size = std::env::args().filter_map(|argument| argument.parse().ok()).next();
-    for count in size.map_or(vec![10_000, 100_000], |count| vec![count]) {
-        measure("Delaunay and dual, uniform in a cube", &uniform(count), |points, job| {
-            let triangulation = Arc::new(Triangulation::delaunay(points, job).unwrap());
-            Dual::new(&triangulation, DualOptions { facets: true }, job).unwrap();
-        });
-        for shape in [Shape::Torus, Shape::Bracket] {
-            let name = format!("power crust, {}", shape.name());
-            measure(&name, &surface(shape, count), |points, job| {
-                PowerCrust::build(points, PowerCrustOptions::default(), job).unwrap();
-            });
-        }
-    }
+    let mut criterion = Criterion::default().configure_from_args();
+    stages(&mut criterion);
+    criterion.final_summary();
 }
