@@ -1,20 +1,22 @@
 //! Every stage has something to do, and is counted.
 
 use crate::sets::{KINDS, Random, five};
+use medax::poles::Poles;
 use medax::predicates::regular_conflict;
 use medax::predicates::stages::{Stage, settled};
+use medax::{Job, Points, Triangulation};
+use std::sync::{Arc, Mutex};
+
+const ALL: [Stage; 6] =
+    [Stage::Maximum, Stage::Grid, Stage::Permanent, Stage::Pairs, Stage::Exact, Stage::Perturbed];
+
+/// The counts are the process's: one test at a time.
+static COUNTING: Mutex<()> = Mutex::new(());
 
 #[test]
 fn every_stage_settles_some_tests() {
-    let all = [
-        Stage::Maximum,
-        Stage::Grid,
-        Stage::Permanent,
-        Stage::Pairs,
-        Stage::Exact,
-        Stage::Perturbed,
-    ];
-    let before = all.map(settled);
+    let _counting = COUNTING.lock().unwrap();
+    let before = ALL.map(settled);
     for (seed, kind) in KINDS.iter().enumerate() {
         let mut random = Random(300 + seed as u64);
         for _ in 0..200 {
@@ -23,8 +25,42 @@ fn every_stage_settles_some_tests() {
             regular_conflict(a, b, c, d, e);
         }
     }
-    // Other tests may run at the same time, and only add to the counts.
-    for (stage, before) in all.into_iter().zip(before) {
+    for (stage, before) in ALL.into_iter().zip(before) {
         assert!(settled(stage) > before, "{stage:?} settled nothing");
+    }
+}
+
+#[test]
+fn power_tests_of_poles_seldom_need_integers() {
+    let _counting = COUNTING.lock().unwrap();
+    for noise in [0.0, 0.005] {
+        // Samples of an ellipsoid. Each lies, but for rounding, on all its polar balls.
+        let mut random = Random(7);
+        let mut rows = Vec::new();
+        while rows.len() < 5000 {
+            let p = [(); 3].map(|()| random.unit());
+            let length = p.iter().map(|x| x * x).sum::<f64>().sqrt();
+            if (0.1..1.0).contains(&length) {
+                let stretch = 1.0 + noise * random.unit();
+                let axes = [1.0, 0.7, 0.4].map(|axis| axis * stretch / length);
+                rows.push([p[0] * axes[0], p[1] * axes[1], p[2] * axes[2]]);
+            }
+        }
+        let job = Job::default();
+        let points = |rows: &[[f64; 3]]| {
+            Arc::new(Points::new(rows.iter().copied(), Default::default(), &job).unwrap())
+        };
+        let poles = Poles::with_far_box(&points(&rows), &job).unwrap();
+        let centers: Vec<[f64; 3]> = poles.balls().iter().map(|&[x, y, z, _]| [x, y, z]).collect();
+        let centers = points(&centers);
+        let before = ALL.map(settled);
+        Triangulation::regular(&centers, poles.radii_squared(), &job).unwrap();
+        let counts: Vec<u64> =
+            ALL.into_iter().zip(before).map(|(stage, before)| settled(stage) - before).collect();
+        let tests: u64 = counts[..5].iter().sum();
+        assert!(tests > 40 * centers.len() as u64, "{counts:?}");
+        // As many are hard as there should be, and nearly all of them are settled by pairs.
+        assert!(counts[3] * 20 > tests, "{counts:?}");
+        assert!(counts[4] * 1000 < tests, "{counts:?}");
     }
 }
