@@ -362,6 +362,13 @@ impl<'a> Run<'a> {
         Ok(vec)
     }
 
+    /// A vector of equal values, or [`Status::OutOfMemory`]. Zeros take memory only where they are first changed.
+    pub fn try_filled<T: Clone>(&self, len: usize, value: T) -> Result<Vec<T>> {
+        // Only what the standard library fills can be had as zeros, and it aborts where there is no room: ask first.
+        drop(self.try_vec::<T>(len)?);
+        Ok(vec![value; len])
+    }
+
     fn close_stage(&self) {
         let Ok(mut position) = self.position.lock() else { return };
         if let Some((stage, wall, cpu)) = position.stage.take() {

@@ -79,11 +79,10 @@ impl<'a> Room<'a> {
         Ok(vec)
     }
 
-    /// A vector of equal values.
+    /// A vector of equal values, as [`Run::try_filled`] makes it.
     pub fn filled<T: Clone>(&mut self, len: usize, value: T) -> Result<Vec<T>> {
-        let mut vec = self.vec(len)?;
-        vec.resize(len, value);
-        Ok(vec)
+        self.keep(len.saturating_mul(size_of::<T>()))?;
+        self.run.try_filled(len, value)
     }
 
     /// The items of an iterator that knows how many there are. Polls on the way.

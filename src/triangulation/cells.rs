@@ -108,25 +108,16 @@ impl Facet {
     }
 }
 
-/// What the current insertion knows of a cell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(u8)]
-pub(super) enum Mark {
-    /// Nothing, or that it is not in conflict with the new point.
-    Unknown,
-    /// It is in conflict: part of the cavity. Or the slot is free, between builds.
-    Conflict,
-}
-
 /// Cells in flat arrays.
 ///
 /// The vertex at infinity is vertex `infinite`; a cell with it is oriented so that a point beyond its
 /// hull facet in its place makes the cell positive. Invariants between insertions: every cell that is
-/// not free has four neighbours, given as packed facets, and is named by each of them; all marks are [`Mark::Unknown`].
+/// not free has four neighbours, given as packed facets, and is named by each of them; all marks are 0.
 pub(super) struct Cells<'a> {
     vertices: Vec<[u32; 4]>,
     neighbors: Vec<[u32; 4]>,
-    marks: Vec<Mark>,
+    /// 1 for cells in conflict with a point that is being inserted.
+    marks: Vec<u8>,
     infinite: u32,
     run: &'a Run<'a>,
     charges: Vec<Charge<'a>>,
@@ -136,7 +127,6 @@ pub(super) struct Cells<'a> {
 pub(super) struct Parts {
     pub vertices: Vec<[u32; 4]>,
     pub neighbors: Vec<[u32; 4]>,
-    pub marks: Vec<Mark>,
     pub infinite: u32,
 }
 
@@ -170,7 +160,7 @@ impl<'a> Cells<'a> {
             };
             cells.neighbors.push(cell.map(neighbor));
         }
-        cells.marks.resize(5, Mark::Unknown);
+        cells.marks.resize(5, 0);
         Ok(cells)
     }
 
@@ -221,7 +211,7 @@ impl<'a> Cells<'a> {
         let len = self.len();
         self.vertices.resize(len + count, [0; 4]);
         self.neighbors.resize(len + count, [0; 4]);
-        self.marks.resize(len + count, Mark::Unknown);
+        self.marks.resize(len + count, 0);
         to.fresh = len as u32..(len + count) as u32;
         Ok(())
     }
@@ -254,15 +244,15 @@ impl<'a> Cells<'a> {
         Ok(())
     }
 
-    /// The arrays, with the unused slots marked [`Mark::Conflict`].
-    pub fn finish(mut self, slots: impl IntoIterator<Item = Slots>) -> Parts {
+    /// The arrays. Unused slots have only the vertex at infinity.
+    pub fn finish(self, slots: impl IntoIterator<Item = Slots>) -> Parts {
+        let Cells { mut vertices, neighbors, infinite, .. } = self;
         for Slots { free, fresh } in slots {
             for cell in free.into_iter().chain(fresh.map(Cell)) {
-                self.marks[cell.index()] = Mark::Conflict;
+                vertices[cell.index()] = [infinite; 4];
             }
         }
-        let Cells { vertices, neighbors, marks, infinite, .. } = self;
-        Parts { vertices, neighbors, marks, infinite }
+        Parts { vertices, neighbors, infinite }
     }
 }
 
@@ -299,11 +289,11 @@ impl Slots {
 pub(super) struct Patch<'a> {
     vertices: *mut [u32; 4],
     neighbors: *mut [u32; 4],
-    marks: *mut Mark,
+    marks: *mut u8,
     infinite: u32,
     /// The owner of each vertex, and the number of this patch; `None` if it owns all.
     owners: Option<(&'a [u8], u8)>,
-    lifetime: PhantomData<&'a mut Mark>,
+    lifetime: PhantomData<&'a mut u8>,
 }
 
 // SAFETY: the patch stands for a mutable borrow of plain numbers; what keeps several of them apart
@@ -365,7 +355,7 @@ impl Patch<'_> {
     #[inline(always)]
     fn atomic_mark(&self, cell: Cell) -> &AtomicU8 {
         // SAFETY: a cell is within bounds; while there are patches, marks are only accessed here.
-        unsafe { AtomicU8::from_ptr(self.marks.add(cell.index()).cast()) }
+        unsafe { AtomicU8::from_ptr(self.marks.add(cell.index())) }
     }
 
     /// Fills a slot with a cell that the patch owns.

@@ -105,6 +105,28 @@ fn the_order_of_rows_decides_nothing_but_the_maps() {
 }
 
 #[test]
+fn the_number_of_threads_decides_nothing() {
+    let mut all = sets::all(3000);
+    all.push(sets::all(40_000).remove(0));
+    for Set { name, rows } in all {
+        let points = points(&rows);
+        let weights = sets::weights(&rows).remove(2).1;
+        let built = |threads| {
+            let job = Job::new(medax::JobOptions { threads, ..Default::default() });
+            let delaunay = Triangulation::delaunay(&points, &job).unwrap();
+            (delaunay, Triangulation::regular(&points, &weights, &job).unwrap())
+        };
+        let (t, r) = built(1);
+        for threads in [2, 3, 8] {
+            let (u, s) = built(threads);
+            assert_eq!((t.cells(), t.neighbors()), (u.cells(), u.neighbors()), "{name}");
+            assert_eq!((r.cells(), r.neighbors()), (s.cells(), s.neighbors()), "{name}");
+            assert_eq!(r.hidden(), s.hidden(), "{name}");
+        }
+    }
+}
+
+#[test]
 fn of_weighted_duplicates_the_heaviest_wins() {
     let mut rows = sets::all(30).remove(0).rows;
     rows.extend([rows[7]; 3]);
