@@ -2,6 +2,7 @@
 
 mod bounds;
 mod far_box;
+mod hilbert;
 pub(crate) mod order;
 
 pub use bounds::Bounds;

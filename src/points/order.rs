@@ -1,12 +1,11 @@
 //! Spatial order: the rank of a point along a Hilbert curve through the bounding box.
 
 use super::Bounds;
+use super::hilbert::{BITS, hilbert};
 use crate::error::Result;
 use crate::job::{Room, Run};
 use crate::sort::{float_key, sort_by_key};
 
-/// Bits per axis of the Hilbert grid; three times as many fit into a u64.
-const BITS: u32 = 21;
 /// Points of one grid cell from which on the sorting must be one that a job can stop.
 const MANY: usize = 1 << 12;
 
@@ -73,50 +72,6 @@ impl Grid {
     }
 }
 
-/// The position of a grid cell along the Hilbert curve (Skilling 2004, *Programming the Hilbert
-/// curve*): the axes are transposed in place, then interleaved.
-fn hilbert(mut axes: [u32; 3]) -> u64 {
-    let top = 1u32 << (BITS - 1);
-    let mut bit = top;
-    while bit > 1 {
-        let below = bit - 1;
-        for i in 0..3 {
-            if axes[i] & bit != 0 {
-                axes[0] ^= below;
-            } else {
-                let swap = (axes[0] ^ axes[i]) & below;
-                axes[0] ^= swap;
-                axes[i] ^= swap;
-            }
-        }
-        bit >>= 1;
-    }
-    axes[1] ^= axes[0];
-    axes[2] ^= axes[1];
-    let mut flip = 0;
-    bit = top;
-    while bit > 1 {
-        if axes[2] & bit != 0 {
-            flip ^= bit - 1;
-        }
-        bit >>= 1;
-    }
-    let spread = |x: u32| {
-        let mut x = u64::from(x ^ flip);
-        for (shift, mask) in [
-            (32, 0x001f_0000_0000_ffff),
-            (16, 0x001f_0000_ff00_00ff),
-            (8, 0x100f_00f0_0f00_f00f),
-            (4, 0x10c3_0c30_c30c_30c3),
-            (2, 0x1249_2492_4924_9249),
-        ] {
-            x = (x | (x << shift)) & mask;
-        }
-        x
-    };
-    spread(axes[0]) << 2 | spread(axes[1]) << 1 | spread(axes[2])
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -137,25 +92,6 @@ mod tests {
             expected.sort_by(|a, b| lexicographic(&a.0, &b.0).then(a.1.cmp(&b.1)));
             Job::default().run(&[], |run| sort(&mut points, &bounds, run)).unwrap();
             assert_eq!(points, expected);
-        }
-    }
-
-    #[test]
-    fn neighbours_on_the_curve_are_neighbours_in_space() {
-        // The first 4^3 steps of the curve fill a cube of side 4, one cell after the other.
-        let mut cells: Vec<([u32; 3], u64)> = Vec::new();
-        for x in 0..4 {
-            for y in 0..4 {
-                for z in 0..4 {
-                    cells.push(([x, y, z], hilbert([x, y, z])));
-                }
-            }
-        }
-        cells.sort_by_key(|c| c.1);
-        assert_eq!(cells.iter().map(|c| c.1).collect::<Vec<_>>(), (0..64).collect::<Vec<_>>());
-        for pair in cells.windows(2) {
-            let step: u32 = (0..3).map(|i| pair[0].0[i].abs_diff(pair[1].0[i])).sum();
-            assert_eq!(step, 1, "{pair:?}");
         }
     }
 }
