@@ -91,7 +91,7 @@ pub(super) fn hilbert([x, y, z]: [u32; 3]) -> u64 {
     while shift > 0 {
         shift -= 6;
         let entry = TABLE[state + (bits >> shift) as usize % PAIRS];
-        rank = rank << 6 | u64::from(entry) % PAIRS as u64;
+        rank = (rank << 6) | (u64::from(entry) % PAIRS as u64);
         state = usize::from(entry) & !(PAIRS - 1);
     }
     rank
