@@ -16,7 +16,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Points between two looks at the clock.
 const TICK: usize = 64;
 /// The fewest points that are worth a thread.
-const PER_THREAD: usize = if cfg!(test) { 16 } else { 1 << 11 };
+const PER_THREAD: usize = if cfg!(test) { 16 } else { 1 << 13 };
 /// The most threads: a box's number is a byte.
 const MOST_THREADS: usize = 255;
 /// How many vertices of a box are tried to find a cell in it.
