@@ -6,8 +6,7 @@
 //!
 //! 1. arithmetic in pairs of floats with an error bound; taken where every number within the bound
 //!    rounds to the same f64 (Ziv 1991);
-//! 2. a grid: where a result lies half way between two f64, or is 0, no error bound helps, but on
-//!    lattices the result is a short number, and one can prove that it is right (`exact.rs`);
+//! 2. integers of fixed width (`fixed.rs`), where the points lie on one grid that is not too fine for them;
 //! 3. integers of any size (`exact.rs`).
 
 use super::exact;
@@ -90,10 +89,7 @@ fn solve<const L: usize, const RADIUS: bool>(
     for (l, center) in centers.iter_mut().enumerate() {
         if center.is_none() {
             let weights = weights.map(|weights| weights[l]);
-            *center = estimates
-                .offset(l)
-                .and_then(|offset| exact::on_grid(cells[l], weights, bases[l], offset))
-                .or_else(|| exact::by_integers(cells[l], weights, bases[l]));
+            *center = exact::center::<RADIUS>(cells[l], weights, bases[l]);
         }
     }
     centers
@@ -203,13 +199,6 @@ impl<const L: usize> Estimates<L> {
             })
         });
         Estimates { offset, error, weight, scale, certain }
-    }
-
-    /// The unscaled N / 2D of one cell, as (high, low), if its determinant is certain.
-    fn offset(&self, l: usize) -> Option<[[f64; 2]; 3]> {
-        let unscale = 1.0 / self.scale[l];
-        let unscaled = self.offset.each_ref().map(|x| [x.hi[l] * unscale, x.lo[l] * unscale]);
-        self.certain[l].then_some(unscaled)
     }
 
     /// The scaled squared radii and their errors: a square is wrong by 2 |x| e + e² for each coordinate x

@@ -1,8 +1,8 @@
-//! The exact stages behind the centres of cells: short numbers on a grid, and integers of any size.
+//! The exact stages behind the centres of cells: integers of fixed width where they suffice, or else of any size.
 
 use super::center::{Center, power_of_two};
+use super::fixed;
 use crate::predicates::Sign;
-use crate::predicates::integer::Int;
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive, Zero};
 use std::array::from_fn;
@@ -28,73 +28,25 @@ fn unit_exponent(points: &[[f64; 3]; 4], weights: Option<[f64; 4]>, base: [f64; 
     coordinates.chain(weights).min().unwrap_or(0).min(0x400)
 }
 
-/// Grids finer than the input's by 2^3 hold the centres of the cells of common lattices.
-const GRID_BITS: i32 = 3;
-/// The exponents of grids for which squared units are normal numbers.
-const GRID_EXPONENTS: std::ops::Range<i32> = -500..400;
-/// The largest coordinate difference in grid units: products of two fit an i128 with room to sum.
-const GRID_SIZE: f64 = power_of_two(60);
-/// The largest coordinate and weight in grid units.
-const GRID_REACH: f64 = power_of_two(120);
-
-/// The centre, if `offset` (the centre less the first point, nearly) rounded to a fine grid solves
-/// 2 N . b = |b|² + w_a - w_b exactly for all three offsets b. The determinant must not be 0: then
-/// the solution is the only one.
-pub(super) fn on_grid(
-    points: [[f64; 3]; 4],
-    weights: Option<[f64; 4]>,
-    base: [f64; 3],
-    offset: [[f64; 2]; 3],
-) -> Option<Center> {
-    let exponent = unit_exponent(&points, weights, base) - GRID_BITS;
-    if !GRID_EXPONENTS.contains(&exponent) {
-        return None;
-    }
-    let (unit, per_unit) = (power_of_two(exponent), power_of_two(-exponent));
-    let whole = |x: f64, limit: f64| (x.abs() <= limit).then_some(x as i128);
-    let reach = |x: f64| whole(x * per_unit, GRID_REACH);
-    let reach_3 = |p: [f64; 3]| Some([reach(p[0])?, reach(p[1])?, reach(p[2])?]);
-    let nearest = |[high, low]: [f64; 2]| {
-        let rest = low * per_unit;
-        let high = high * per_unit;
-        let (high, rest) = (high.round(), (high - high.round()) + rest);
-        let low = rest.round();
-        Some(whole(high, GRID_SIZE)? + whole(low, GRID_SIZE)?)
-    };
-    let center = [nearest(offset[0])?, nearest(offset[1])?, nearest(offset[2])?];
-    let weight = |i: usize| match weights {
-        Some(weights) => whole(weights[i] * per_unit * per_unit, GRID_REACH),
-        None => Some(0),
-    };
-    let (first, first_weight) = (reach_3(points[0])?, weight(0)?);
-    for (i, point) in points.iter().enumerate().skip(1) {
-        let point = reach_3(*point)?;
-        let mut excess = weight(i)? - first_weight;
-        for k in 0..3 {
-            let edge = point[k] - first[k];
-            if edge.unsigned_abs() > GRID_SIZE as u128 {
-                return None;
-            }
-            excess += edge * (2 * center[k] - edge);
-        }
-        if excess != 0 {
-            return None;
-        }
-    }
-    let base = reach_3(base)?;
-    // Conversion to f64 rounds to nearest, ties to even; the units are powers of two.
-    let position = from_fn(|k| (base[k] + center[k]) as f64 * unit);
-    let square: i128 = center.iter().map(|x| x * x).sum();
-    Some(Center { position, radius_squared: (square - first_weight) as f64 * unit * unit })
-}
-
-/// The centre in exact arithmetic; `None` if the determinant is 0.
-pub(super) fn by_integers(
+/// The centre in exact arithmetic, the squared radius only with `RADIUS`; `None` if the determinant is 0.
+pub(super) fn center<const RADIUS: bool>(
     points: [[f64; 3]; 4],
     weights: Option<[f64; 4]>,
     base: [f64; 3],
 ) -> Option<Center> {
     let exponent = unit_exponent(&points, weights, base);
+    fixed::center::<RADIUS>(&points, weights, base, exponent)
+        .unwrap_or_else(|| by_integers(points, weights, base, exponent))
+}
+
+/// [`center`] in integers of any size.
+#[cold]
+fn by_integers(
+    points: [[f64; 3]; 4],
+    weights: Option<[f64; 4]>,
+    base: [f64; 3],
+    exponent: i32,
+) -> Option<Center> {
     let solution = Solution::new(&points, weights, exponent);
     if solution.determinant.is_zero() {
         return None;
@@ -148,8 +100,15 @@ impl Solution {
 /// share. The cells must not be flat.
 #[cold]
 pub(crate) fn dot_sign(p: [[f64; 3]; 4], q: [[f64; 3]; 4]) -> Sign {
-    let [p, q] = [p, q].map(|cell| {
-        let solution = Solution::new(&cell, None, unit_exponent(&cell, None, [0.0; 3]));
+    let cells = [p, q];
+    let exponents = cells.map(|cell| unit_exponent(&cell, None, [0.0; 3]));
+    fixed::dot_sign(&cells, exponents).unwrap_or_else(|| long_dot_sign(&cells, exponents))
+}
+
+/// [`dot_sign`] in integers of any size.
+fn long_dot_sign(cells: &[[[f64; 3]; 4]; 2], exponents: [i32; 2]) -> Sign {
+    let [p, q] = [0, 1].map(|i| {
+        let solution = Solution::new(&cells[i], None, exponents[i]);
         let negative = solution.determinant.is_negative();
         solution.numerator.map(|x| if negative { -x } else { x })
     });
@@ -162,7 +121,7 @@ pub(crate) fn dot_sign(p: [[f64; 3]; 4], q: [[f64; 3]; 4]) -> Sign {
 pub(super) fn radius_order(cells: [[[f64; 3]; 4]; 2]) -> Ordering {
     let exponents = cells.each_ref().map(|cell| unit_exponent(cell, None, [0.0; 3]));
     let exponent = exponents[0].min(exponents[1]);
-    short_radius_order(&cells, exponent).unwrap_or_else(|| long_radius_order(&cells, exponent))
+    fixed::radius_order(&cells, exponent).unwrap_or_else(|| long_radius_order(&cells, exponent))
 }
 
 /// [`radius_order`] in integers of any size.
@@ -171,54 +130,6 @@ fn long_radius_order(cells: &[[[f64; 3]; 4]; 2], exponent: i32) -> Ordering {
     let square = |p: &Solution| -> BigInt { p.numerator.iter().map(|x| x * x).sum() };
     let (x, y) = (square(&p), square(&q));
     (x * &q.determinant * &q.determinant).cmp(&(y * &p.determinant * &p.determinant))
-}
-
-/// [`radius_order`] in integers of fixed width, many times faster, where all offsets from the common
-/// point are below 2^60 in units of 2^`exponent`.
-///
-/// Widths: lifts are below 2^122, entries of a cross product below 2^121, of N below 2^245, its square below
-/// 2^492; D is below 2^183, its square below 2^366: everything fits into its limbs with its sign.
-fn short_radius_order(cells: &[[[f64; 3]; 4]; 2], exponent: i32) -> Option<Ordering> {
-    let limit = power_of_two(60);
-    let in_reach = |cell: &[[f64; 3]; 4]| {
-        let offsets = cell.iter().flat_map(|p| (0..3).map(|k| (p[k] - cell[0][k]).abs()));
-        GRID_EXPONENTS.contains(&exponent)
-            && offsets.fold(0.0, f64::max) * power_of_two(-exponent) < limit
-    };
-    if !cells.iter().all(in_reach) {
-        return None;
-    }
-    let [(p, p_divisor), (q, q_divisor)] = cells.each_ref().map(|cell| {
-        let edges: [[Int<1>; 3]; 3] = from_fn(|i| {
-            // Modulo 2^64: what coordinates lose above that, their differences do not have.
-            from_fn(|k| Int::of(cell[i + 1][k], exponent) - Int::of(cell[0][k], exponent))
-        });
-        let lifts: [Int<2>; 3] = from_fn(|i| {
-            let [x, y, z] = edges[i].map(|x| x.times::<1, 2>(x));
-            x + y + z
-        });
-        let cross = |i: usize, j: usize| -> [Int<2>; 3] {
-            [(1, 2), (2, 0), (0, 1)].map(|(p, q)| {
-                edges[i][p].times::<1, 2>(edges[j][q]) - edges[i][q].times::<1, 2>(edges[j][p])
-            })
-        };
-        let crosses = [cross(1, 2), cross(2, 0), cross(0, 1)];
-        let sum = |[x, y, z]: [Int<8>; 3]| x + y + z;
-        let square = sum(from_fn(|k| {
-            let [a, b, c]: [Int<4>; 3] = from_fn(|i| lifts[i].times::<2, 4>(crosses[i][k]));
-            let numerator = a + b + c;
-            numerator.times::<4, 8>(numerator)
-        }));
-        let [a, b, c]: [Int<3>; 3] = from_fn(|k| edges[0][k].times::<2, 3>(crosses[0][k]));
-        let determinant = a + b + c;
-        (square, determinant.times::<3, 6>(determinant))
-    });
-    let gap = p.times::<6, 14>(q_divisor) - q.times::<6, 14>(p_divisor);
-    Some(match gap.sign() {
-        Sign::Positive => Ordering::Greater,
-        Sign::Zero => Ordering::Equal,
-        Sign::Negative => Ordering::Less,
-    })
 }
 
 /// The sign of p . d, where p is the centre of a cell less its first point. The cell must not be
@@ -288,7 +199,7 @@ fn ratio(numerator: BigInt, denominator: &BigInt, exponent: i32) -> f64 {
 
 /// The f64 nearest to `bits` 2^`exponent`, ties to even; `bits` has more than 60 bits, and its last
 /// one stands for everything below it.
-fn assemble(bits: u128, exponent: i64) -> f64 {
+pub(super) fn assemble(bits: u128, exponent: i64) -> f64 {
     let top = i64::from(127 - bits.leading_zeros()) + exponent;
     // The exponent of the last bit of the result: 52 below the first one, or that of subnormals.
     let last = (top - 52).max(-1074);
@@ -323,21 +234,43 @@ mod tests {
         prop::array::uniform7(prop::array::uniform3(coordinate))
     }
 
+    /// Coordinates of all scales: some cells need one limb, some two, some more.
+    fn scattered() -> impl Strategy<Value = [[f64; 3]; 7]> {
+        let coordinate = (-1.0..1.0f64, 0..3i32, 1..30i32)
+            .prop_map(|(x, kind, size)| x * power_of_two(-kind * size));
+        prop::array::uniform7(prop::array::uniform3(coordinate))
+    }
+
+    fn agree([s, a, b, c, d, e, f]: [[f64; 3]; 7]) -> Result<[bool; 2], TestCaseError> {
+        let cells = [[s, a, b, c], [s, d, e, f]];
+        let exponents = cells.map(|cell| unit_exponent(&cell, None, [0.0; 3]));
+        let exponent = exponents[0].min(exponents[1]);
+        let flat = |cell: &_| Solution::new(cell, None, exponent).determinant.is_zero();
+        prop_assume!(!cells.iter().any(flat));
+        let order = fixed::radius_order(&cells, exponent);
+        let sign = fixed::dot_sign(&cells, exponents);
+        prop_assert!(order.is_none_or(|order| order == long_radius_order(&cells, exponent)));
+        prop_assert!(sign.is_none_or(|sign| sign == long_dot_sign(&cells, exponents)));
+        for (cell, weights) in
+            [(cells[0], None), (cells[1], None), (cells[0], Some([a[0], b[0], c[0], d[0]]))]
+        {
+            let exponent = unit_exponent(&cell, weights, f);
+            if let Some(center) = fixed::center::<true>(&cell, weights, f, exponent) {
+                prop_assert_eq!(center, by_integers(cell, weights, f, exponent));
+            }
+        }
+        Ok([order.is_some(), sign.is_some()])
+    }
+
     proptest! {
         #[test]
-        fn short_and_long_integers_agree([s, a, b, c, d, e, f] in points()) {
-            let cells = [[s, a, b, c], [s, d, e, f]];
-            let exponents = cells.each_ref().map(|cell| unit_exponent(cell, None, [0.0; 3]));
-            let exponent = exponents[0].min(exponents[1]);
-            let flat = |cell| Solution::new(cell, None, exponent).determinant.is_zero();
-            prop_assume!(!cells.iter().any(flat));
-            let order = long_radius_order(&cells, exponent);
-            prop_assert_eq!(short_radius_order(&cells, exponent), Some(order));
-            // What is too long is left to the other.
-            let far = cells.map(|cell| cell.map(|p| p.map(|x| x + 1e-12)));
-            if let Some(order) = short_radius_order(&far, exponent - 40) {
-                prop_assert_eq!(order, long_radius_order(&far, exponent - 40));
-            }
+        fn integers_of_fixed_and_of_any_width_agree(points in points()) {
+            prop_assert_eq!(agree(points)?, [true; 2]);
+        }
+
+        #[test]
+        fn they_agree_at_all_scales(points in scattered()) {
+            agree(points)?;
         }
     }
 }

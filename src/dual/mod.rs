@@ -7,6 +7,7 @@
 mod center;
 mod exact;
 mod facets;
+mod fixed;
 mod normal;
 mod rays;
 mod validate;

@@ -47,8 +47,28 @@ impl<const N: usize> Int<N> {
     }
 
     /// Whether the integer is less than zero.
-    fn is_negative(self) -> bool {
+    pub(crate) fn is_negative(self) -> bool {
         self.0[N - 1] >> 63 != 0
+    }
+
+    /// The absolute value.
+    fn magnitude(self) -> Self {
+        if self.is_negative() { -self } else { self }
+    }
+
+    /// The least `k` with x < 2^k, for an x that is not negative.
+    fn bits(self) -> i32 {
+        (0..N)
+            .rev()
+            .find(|&i| self.0[i] != 0)
+            .map_or(0, |i| 64 * i as i32 + 64 - self.0[i].leading_zeros() as i32)
+    }
+
+    /// The same integer in more limbs.
+    pub(crate) fn widened<const M: usize>(self) -> Int<M> {
+        const { assert!(M >= N) }
+        let sign = if self.is_negative() { u64::MAX } else { 0 };
+        Int(from_fn(|i| if i < N { self.0[i] } else { sign }))
     }
 
     /// The product, exactly: `R` is the sum of the lengths of the factors.
@@ -75,6 +95,43 @@ impl<const N: usize> Int<N> {
         unsigned
             - high(self.is_negative(), N, &|i| other.0[i])
             - high(other.is_negative(), M, &|i| self.0[i])
+    }
+
+    /// The absolute value of `self` / `divisor` as (q, e), nearly q 2^e: q has 63 bits or more, and its lowest bit
+    /// stands for everything below it. Neither may be 0, and `self` must be below 2^(64 N - 1) in absolute value.
+    ///
+    /// One step of long division (Knuth, *The Art of Computer Programming* 2, 4.3.1): with the dividend shifted to
+    /// 64 N - 1 bits and the divisor to 64 N, the first limbs tell the quotient but for two units.
+    pub(crate) fn quotient(self, divisor: Self) -> (u128, i32) {
+        let (dividend, divisor) = (self.magnitude(), divisor.magnitude());
+        let shifts = [dividend.bits() + 1, divisor.bits()].map(|bits| 64 * N as i32 - bits);
+        let (dividend, divisor) = (dividend.shifted(shifts[0]).0, divisor.shifted(shifts[1]).0);
+        let below = |i: usize| if i > 0 { dividend[i - 1] } else { 0 };
+        let top = u128::from(dividend[N - 1]) << 64 | u128::from(below(N - 1));
+        let mut quotient = (top / u128::from(divisor[N - 1])) as u64;
+        // The rest, of the dividend and a limb 0 below it, in N limbs and one above.
+        let mut rest = [0; N];
+        let mut borrow = 0;
+        for i in 0..N {
+            let product = u128::from(quotient) * u128::from(divisor[i]) + borrow;
+            let (limb, under) = below(i).overflowing_sub(product as u64);
+            rest[i] = limb;
+            borrow = (product >> 64) + u128::from(under);
+        }
+        let mut above = i128::from(dividend[N - 1]) - borrow as i128;
+        while above < 0 {
+            quotient -= 1;
+            let mut carry = 0;
+            for i in 0..N {
+                let sum = u128::from(rest[i]) + u128::from(divisor[i]) + carry;
+                rest[i] = sum as u64;
+                carry = sum >> 64;
+            }
+            above += carry as i128;
+        }
+        let inexact = rest.iter().any(|&limb| limb != 0);
+        let bits = u128::from(quotient) << 1 | u128::from(inexact);
+        (bits, shifts[1] - shifts[0] - 65)
     }
 
     /// The sign.
@@ -144,7 +201,7 @@ pub(super) fn lowest_bit(x: f64) -> Option<i32> {
 }
 
 /// The least `k` with |x| < 2^k, or `None` for zero.
-pub(super) fn width(x: f64) -> Option<i32> {
+pub(crate) fn width(x: f64) -> Option<i32> {
     (x != 0.0).then(|| {
         let (mantissa, exponent) = decode(x);
         exponent + 64 - mantissa.leading_zeros() as i32

@@ -207,38 +207,26 @@ fn lattice_cells(x: [f64; 2], y: [f64; 2], z: [f64; 2]) -> Vec<Cell> {
         .into()
 }
 
-/// The center, if it needs no large integers.
-fn quickly(points: Cell, weights: Option<[f64; 4]>) -> Option<Center> {
-    let estimates = Estimates::new([points], weights.map(|w| [w]));
-    let [center] = estimates.centers::<true>([points[0]]);
-    center.or_else(|| exact::on_grid(points, weights, points[0], estimates.offset(0)?))
-}
-
 #[test]
-fn lattices_need_no_large_integers() {
+fn cells_of_lattices_are_correctly_rounded() {
     for step in [1.0, 0.1, 1e-9, 12345.678] {
         let at = |i: i32| [f64::from(i) * step, f64::from(i + 1) * step];
         for (i, j, k) in [(0, 0, 0), (-1, 2, 5), (-3, -1, 40), (17, 63, 99)] {
-            let cube = |i, j, k| lattice_cells(at(i), at(j), at(k));
-            for points in cube(i, j, k) {
-                for (weights, w) in [(None, [0.0; 4]), (Some([step * step; 4]), [step * step; 4])] {
-                    let found = quickly(points, weights).unwrap();
-                    let (center, square) = reference(points, w).unwrap();
-                    assert!((0..3).all(|k| is_nearest(found.position[k], &center[k])));
-                    assert!(is_nearest(found.radius_squared, &square));
-                }
+            for points in lattice_cells(at(i), at(j), at(k)) {
+                check(points, None).unwrap();
+                check(points, Some([step * step; 4])).unwrap();
             }
         }
     }
     // Around the origin every coordinate of the center is 0, which no error bound can show.
     for points in lattice_cells([-0.1, 0.1], [-0.3, 0.3], [-0.7, 0.7]) {
-        assert_eq!(quickly(points, None).unwrap().position, [0.0; 3]);
+        assert_eq!(circumcenter(points).unwrap().position, [0.0; 3]);
         assert!(Estimates::new([points], None).centers::<true>([points[0]]) == [None]);
     }
 }
 
 #[test]
-fn random_cells_need_no_large_integers() {
+fn random_cells_need_no_integers() {
     let mut state = 1u64;
     let mut next = || {
         state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
@@ -248,7 +236,7 @@ fn random_cells_need_no_large_integers() {
         let points: Cell = std::array::from_fn(|_| std::array::from_fn(|_| next()));
         let [center] = Estimates::new([points], None).centers::<true>([points[0]]);
         assert!(center.is_some());
-        assert_eq!(center, exact::by_integers(points, None, points[0]));
+        assert_eq!(center, exact::center::<true>(points, None, points[0]));
     }
 }
 
