@@ -33,6 +33,18 @@ impl Rows {
         Ok(Rows { offsets, indices })
     }
 
+    /// Rows of equal length. Errors: [`Status::LimitExceeded`] past 2^32 - 1 indices, and those of the job.
+    pub(crate) fn uniform_in<const N: usize>(
+        rows: Vec<[u32; N]>,
+        room: &mut Room<'_>,
+    ) -> Result<Self> {
+        if rows.len() > u32::MAX as usize / N {
+            return Err(Error::new(Status::LimitExceeded, "more than 2^32 - 1 indices"));
+        }
+        let offsets = room.collect((0..rows.len() + 1).map(|i| (N * i) as u32))?;
+        Ok(Rows { offsets, indices: rows.into_flattened() })
+    }
+
     /// Appends one row. Errors: [`Status::LimitExceeded`] past 2^32 - 1 indices.
     pub fn push(&mut self, row: &[u32]) -> Result<()> {
         let end = u32::try_from(self.indices.len() + row.len())
@@ -40,13 +52,6 @@ impl Rows {
         self.indices.extend_from_slice(row);
         self.offsets.push(end);
         Ok(())
-    }
-
-    /// [`Rows::push`] within the memory of a build.
-    pub(crate) fn push_in(&mut self, row: &[u32], room: &mut Room<'_>) -> Result<()> {
-        room.grow(&mut self.indices, row.len())?;
-        room.grow(&mut self.offsets, 1)?;
-        self.push(row)
     }
 
     /// The number of rows.

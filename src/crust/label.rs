@@ -2,14 +2,12 @@
 //! 5.2 and Figure 8).
 
 use super::PowerCrustOptions;
-use crate::complex::Rows;
+use super::queue::Queue;
 use crate::error::Result;
 use crate::index::NONE;
-use crate::job::{Room, Run, Stage};
+use crate::job::{self, Room, Run};
 use crate::poles::Poles;
 use crate::triangulation::{Edges, Triangulation};
-use std::cmp::Ordering;
-use std::collections::BinaryHeap;
 
 /// The side of the surface on which a pole lies. The numbers are the C ABI's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -41,49 +39,53 @@ pub(super) struct Labelling {
     pub forced: usize,
 }
 
-/// Weighted links from each pole to others.
-#[derive(Default)]
+/// A link from a pole to another: the weight with which the same label passes on, or less than 0 if it is
+/// the opposite label that does.
+#[derive(Clone, Copy, Default)]
+struct Link {
+    other: u32,
+    weight: f64,
+}
+
+/// The links of each pole, in rows.
 struct Links {
-    rows: Rows,
-    weights: Vec<f64>,
+    offsets: Vec<u32>,
+    links: Vec<Link>,
 }
 
 impl Links {
     /// The links of every pole, given each link once with its two ends.
     fn new(
         count: usize,
-        links: &[(u32, u32, f64)],
+        parts: &[Vec<(u32, u32, f64)>],
         room: &mut Room<'_>,
         run: &Run<'_>,
     ) -> Result<Self> {
-        let mut offsets = room.filled(count + 1, 0u32)?;
-        for link in run.watch(links) {
+        // Row p begins at offsets[p + 1] while it is filled, which moves that to its end.
+        let mut offsets = room.filled(count + 2, 0u32)?;
+        for link in run.watch(parts.iter().flatten()) {
             let &(p, q, _) = link?;
-            offsets[p as usize + 1] += 1;
-            offsets[q as usize + 1] += 1;
+            offsets[p as usize + 2] += 1;
+            offsets[q as usize + 2] += 1;
         }
-        for p in 0..count {
-            offsets[p + 1] += offsets[p];
+        for p in 2..count + 2 {
+            offsets[p] += offsets[p - 1];
         }
-        let mut next = room.collect(offsets.iter().copied())?;
-        let mut others = room.filled(2 * links.len(), 0)?;
-        let mut weights = room.filled(2 * links.len(), 0.0)?;
-        for link in run.watch(links) {
+        let mut links = room.filled(offsets[count + 1] as usize, Link::default())?;
+        for link in run.watch(parts.iter().flatten()) {
             let &(p, q, weight) = link?;
-            for (from, to) in [(p, q), (q, p)] {
-                let slot = &mut next[from as usize];
-                others[*slot as usize] = to;
-                weights[*slot as usize] = weight;
+            for (from, other) in [(p, q), (q, p)] {
+                let slot = &mut offsets[from as usize + 1];
+                links[*slot as usize] = Link { other, weight };
                 *slot += 1;
             }
         }
-        Ok(Links { rows: Rows::new(offsets, others)?, weights })
+        Ok(Links { offsets, links })
     }
 
-    fn of(&self, pole: u32) -> impl Iterator<Item = (u32, f64)> {
-        let begin = self.rows.offsets()[pole as usize] as usize;
-        let row = self.rows.row(pole as usize);
-        row.iter().copied().zip(self.weights[begin..].iter().copied())
+    fn of(&self, pole: u32) -> &[Link] {
+        let p = pole as usize;
+        &self.links[self.offsets[p] as usize..self.offsets[p + 1] as usize]
     }
 }
 
@@ -112,27 +114,6 @@ impl Belief {
     }
 }
 
-/// A pole in the queue. The greatest comes first: the highest priority, then the least pole.
-#[derive(Clone, Copy, PartialEq)]
-struct Waiting {
-    priority: f64,
-    pole: u32,
-}
-
-impl Eq for Waiting {}
-
-impl Ord for Waiting {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.priority.total_cmp(&other.priority).then(other.pole.cmp(&self.pole))
-    }
-}
-
-impl PartialOrd for Waiting {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
 /// Labels every pole.
 ///
 /// A pole enters the queue when a label first reaches it, as in the authors' program: Figure 8
@@ -145,60 +126,56 @@ pub(super) fn label_poles(
     options: &PowerCrustOptions,
     run: &Run<'_>,
 ) -> Result<Labelling> {
-    run.enter(Stage::Label)?;
     let count = poles.len();
     let mut room = Room::new(run);
-    let links = sample_links(poles, &mut room, run)?;
-    let opposite = Links::new(count, &links, &mut room, run)?;
-    run.tick(1, 8)?;
-    let links = deep_links(poles, regular, edges, options.deep, &mut room, run)?;
-    let same = Links::new(count, &links, &mut room, run)?;
-    drop(links);
-    run.tick(2, 8)?;
+    let mut parts = vec![sample_links(poles, &mut room, run)?];
+    let deep = run.in_steps(job::parts(edges.ends.len()), [0.3, 0.4], |range| {
+        let mut room = Room::new(run);
+        let ends = &edges.ends[range];
+        Ok((deep_links(poles, regular, ends, options.deep, &mut room)?, room))
+    })?;
+    let (deep, rooms): (Vec<_>, Vec<_>) = deep.into_iter().unzip();
+    parts.extend(deep);
+    let links = Links::new(count, &parts, &mut room, run)?;
+    drop((parts, rooms));
+    run.tick(1, 2)?;
     let mut beliefs = room.filled(count, Belief::default())?;
     let mut labels: Vec<Option<Label>> = room.filled(count, None)?;
-    let mut waiting = Vec::new();
+    let mut queue = Queue::new(count, &mut room)?;
     for pole in run.watch(0..count as u32) {
         let pole = pole?;
         if poles.touches_far_box()[pole as usize] {
             beliefs[pole as usize].outer = 1.0;
-            room.push(&mut waiting, Waiting { priority: 1.0, pole })?;
+            queue.put(pole, 1.0);
         }
     }
-    let mut queue = BinaryHeap::from(waiting);
     let mut done = 0;
-    while let Some(Waiting { priority, pole }) = queue.pop() {
+    while let Some(pole) = queue.pop() {
         let p = pole as usize;
-        if labels[p].is_some() || beliefs[p].priority() != priority {
-            // A newer entry stands for this pole, or stood.
-            continue;
-        }
+        let belief = beliefs[p];
         if done % 1024 == 0 {
-            run.tick(count / 4 + done * 3 / 4, count)?;
+            run.tick(count + done, 2 * count)?;
         }
         done += 1;
-        // Each link pushes once at most.
-        let links = opposite.rows.row(p).len() + same.rows.row(p).len();
-        if queue.capacity() - queue.len() < links {
-            let mut waiting = queue.into_vec();
-            room.grow(&mut waiting, links)?;
-            queue = BinaryHeap::from(waiting);
-        }
-        let label = if beliefs[p].inner > beliefs[p].outer { Label::Inner } else { Label::Outer };
-        let strength = *beliefs[p].side(label);
+        let label = if belief.inner > belief.outer { Label::Inner } else { Label::Outer };
+        let strength = belief.inner.max(belief.outer);
         labels[p] = Some(label);
-        let mut propagate = |other: u32, label: Label, weight: f64| {
-            let q = other as usize;
-            let before = beliefs[q].priority();
-            let belief = beliefs[q].side(label);
-            *belief = belief.max(strength * weight);
-            let priority = beliefs[q].priority();
-            if labels[q].is_none() && priority != before {
-                queue.push(Waiting { priority, pole: other });
+        // Nothing raises that any more.
+        beliefs[p] = Belief { inner: f64::INFINITY, outer: f64::INFINITY };
+        for &Link { other, weight } in links.of(pole) {
+            let label = if weight < 0.0 { label.opposite() } else { label };
+            let belief = &mut beliefs[other as usize];
+            let raised = strength * weight.abs();
+            if raised <= *belief.side(label) {
+                continue;
             }
-        };
-        opposite.of(pole).for_each(|(q, weight)| propagate(q, label.opposite(), weight));
-        same.of(pole).for_each(|(q, weight)| propagate(q, label, weight));
+            let before = belief.priority();
+            *belief.side(label) = raised;
+            let priority = belief.priority();
+            if priority != before {
+                queue.put(other, priority);
+            }
+        }
     }
     let unreached = labels.iter().filter(|label| label.is_none()).count();
     let labelled = labels.into_iter().map(|label| label.unwrap_or(Label::Outer));
@@ -213,7 +190,21 @@ pub(super) fn label_poles(
     Ok(Labelling { labels, unreached, forced })
 }
 
-/// The two poles of each sample, with the weight -cos of the angle between them at the sample.
+/// The label of each vertex of the regular triangulation; `None` for those that are hidden.
+pub(super) fn sides(
+    regular: &Triangulation,
+    labels: &[Label],
+    room: &mut Room<'_>,
+) -> Result<Vec<Option<Label>>> {
+    let poles = regular.row_of_vertex().iter();
+    let mut sides = room.collect(poles.map(|&pole| Some(labels[pole as usize])))?;
+    for &hidden in regular.hidden() {
+        sides[hidden as usize] = None;
+    }
+    Ok(sides)
+}
+
+/// The two poles of each sample, with minus the weight -cos of the angle between them at the sample.
 fn sample_links(poles: &Poles, room: &mut Room<'_>, run: &Run<'_>) -> Result<Vec<(u32, u32, f64)>> {
     let coords = poles.triangulation().coords();
     let mut links = room.vec(poles.sample_count())?;
@@ -229,28 +220,27 @@ fn sample_links(poles: &Poles, room: &mut Room<'_>, run: &Run<'_>) -> Result<Vec
         let cosine = dot(u, v) / (dot(u, u) * dot(v, v)).sqrt();
         // The poles of a sample lie on different sides: the cosine is negative but for rounding.
         if cosine < 0.0 {
-            links.push((p, q, (-cosine).min(1.0)));
+            links.push((p, q, cosine.max(-1.0)));
         }
     }
     Ok(links)
 }
 
-/// The neighbours in the power diagram whose balls intersect deeply.
+/// The neighbours in the power diagram, among the given ones, whose balls intersect deeply.
 ///
 /// The weight is -cos of the angle at which the balls' spheres intersect, from the law of
 /// cosines: (r_p^2 + r_q^2 - d^2) / (2 r_p r_q), within [-1, 1].
 fn deep_links(
     poles: &Poles,
     regular: &Triangulation,
-    edges: &Edges,
+    ends: &[[u32; 2]],
     deep: f64,
     room: &mut Room<'_>,
-    run: &Run<'_>,
 ) -> Result<Vec<(u32, u32, f64)>> {
     let pole_of_vertex = regular.row_of_vertex();
     let mut links = Vec::new();
-    for ends in run.watch(&edges.ends) {
-        let [p, q] = ends?.map(|v| pole_of_vertex[v as usize]);
+    for ends in ends {
+        let [p, q] = ends.map(|v| pole_of_vertex[v as usize]);
         let weight = same_side_weight(&poles.balls()[p as usize], &poles.balls()[q as usize]);
         if weight > deep {
             room.push(&mut links, (p, q, weight))?;

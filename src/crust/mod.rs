@@ -7,6 +7,7 @@
 
 mod export;
 mod label;
+mod queue;
 mod shape;
 mod surface;
 mod validate;
@@ -113,17 +114,19 @@ impl PowerCrust {
         let mut room = Room::new(run);
         let regular = Arc::new(triangulate_balls(&poles, run)?);
         room.keep(regular.bytes())?;
+        run.enter(Stage::Label)?;
         let incidence = regular.incidence_in(run)?;
         let edges = regular.edges_in(&incidence, run)?;
         drop(incidence);
         room.keep(edges.bytes())?;
+        run.tick(1, 8)?;
         let labelling = label::label_poles(&poles, &regular, &edges, &options, run)?;
         run.enter(Stage::Extract)?;
         let labels = labelling.labels;
-        let surface = surface::extract(&regular, &labels, &edges, run)?;
+        let sides = label::sides(&regular, &labels, &mut room)?;
+        let surface = surface::extract(&regular, &sides, &edges, run)?;
         room.keep(surface.bytes())?;
-        let shape = |side| shape::extract(&poles, &regular, &labels, &edges, side, run);
-        let (inner_shape, outer_shape) = (shape(Label::Inner)?, shape(Label::Outer)?);
+        let [outer_shape, inner_shape] = shape::extract(&poles, &regular, &sides, &edges, run)?;
         Ok(PowerCrust {
             options,
             poles,

@@ -2,11 +2,12 @@
 
 use super::label::Label;
 use crate::complex::{Attribute, Complex, ComplexParts, Element, Rows, Values};
-use crate::dual::orthocenter_position;
+use crate::dual::orthocenter_positions;
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
-use crate::job::{Room, Run};
+use crate::job::{PART, Room, Run, parts};
 use crate::triangulation::{Edges, Triangulation};
+use std::ops::Range;
 
 /// The oriented boundary between the inner and the outer cells of the power diagram.
 ///
@@ -14,64 +15,53 @@ use crate::triangulation::{Edges, Triangulation};
 /// counterclockwise as seen from the outer one. It is closed by construction: an edge of the
 /// polygon is dual to a facet of the regular triangulation, and of that facet's three
 /// poles none or exactly two pairs have different labels. Its vertices are cells of the
-/// triangulation, so that the same argument on a tetrahedron's four poles, of which one or
+/// triangulation, those with poles of both labels, so that the same argument on a tetrahedron's four poles, of which one or
 /// two are inner, makes every vertex's faces one disk: the surface is a manifold.
 ///
 /// Vertices carry `cell`, faces `inner_pole` and `outer_pole`.
 pub(super) fn extract(
     regular: &Triangulation,
-    labels: &[Label],
+    sides: &[Option<Label>],
     edges: &Edges,
     run: &Run<'_>,
 ) -> Result<Complex> {
-    let pole_of_vertex = regular.row_of_vertex();
-    let label_of = |vertex: u32| labels[pole_of_vertex[vertex as usize] as usize];
     let mut room = Room::new(run);
-    let mut faces = Rows::default();
-    let (mut inner_pole, mut outer_pole) = (Vec::new(), Vec::new());
-    let mut used = room.filled(regular.cells().len(), false)?;
-    let mut ring = Vec::new();
-    for (i, (&[a, b], &cell)) in edges.ends.iter().zip(&edges.cells).enumerate() {
-        if i % 4096 == 0 {
-            run.tick(i, 2 * edges.ends.len())?;
-        }
-        let (inner, outer) = match (label_of(a), label_of(b)) {
-            (Label::Inner, Label::Outer) => (a, b),
-            (Label::Outer, Label::Inner) => (b, a),
-            _ => continue,
-        };
-        if !regular.ring(cell, inner, outer, &mut ring) {
-            return Err(Error::new(
-                Status::Internal,
-                "a facet between an inner and an outer pole is unbounded",
-            ));
-        }
-        ring.iter().for_each(|&cell| used[cell as usize] = true);
-        faces.push_in(&ring, &mut room)?;
-        room.push(&mut inner_pole, pole_of_vertex[inner as usize])?;
-        room.push(&mut outer_pole, pole_of_vertex[outer as usize])?;
-    }
-    let mut vertex_of_cell = room.filled(used.len(), NONE)?;
+    let mut vertex_of_cell = room.filled(regular.cells().len(), NONE)?;
     let mut cells: Vec<u32> = Vec::new();
-    let mut vertices = Vec::new();
-    for cell in 0..used.len() {
-        if cell % 1024 == 0 {
-            run.tick(used.len() + cell, 2 * used.len())?;
+    for cell in run.watch(regular.cells().iter().enumerate()) {
+        let (cell, corners) = cell?;
+        let [first, others @ ..] = corners.map(|v| sides[v as usize]);
+        if others != [first; 3] {
+            vertex_of_cell[cell] = cells.len() as u32;
+            room.push(&mut cells, cell as u32)?;
         }
-        if !used[cell] {
-            continue;
-        }
-        vertex_of_cell[cell] = cells.len() as u32;
-        room.push(&mut cells, cell as u32)?;
-        let corners = regular.cells()[cell].map(|v| regular.site(v));
-        let points = corners.map(|[x, y, z, _]| [x, y, z]);
-        let position = orthocenter_position(points, corners.map(|site| site[3]))
-            .ok_or_else(|| Error::new(Status::Internal, "a cell of a triangulation is flat"))?;
-        room.push(&mut vertices, position)?;
     }
-    let indices =
-        room.collect(faces.indices().iter().map(|&cell| vertex_of_cell[cell as usize]))?;
-    let offsets = room.collect(faces.offsets().iter().copied())?;
+    let mut vertices = room.filled(cells.len(), [0.0; 3])?;
+    let chunks = cells.chunks(PART).zip(vertices.chunks_mut(PART)).collect();
+    run.in_steps(chunks, [0.1, 0.25], |(cells, positions): (&[u32], &mut [_])| {
+        orthocenter_positions(regular, cells, positions, run)
+    })?;
+    let pieces = run.in_steps(parts(edges.ends.len()), [0.25, 0.5], |range| {
+        let mut room = Room::new(run);
+        let piece = Piece::new(regular, sides, edges, &vertex_of_cell, range, &mut room)?;
+        Ok((piece, room))
+    })?;
+    let faces = pieces.iter().map(|(piece, _)| piece.inner.len()).sum();
+    let corners = pieces.iter().map(|(piece, _)| piece.rings.len()).sum();
+    if corners > u32::MAX as usize {
+        return Err(Error::new(Status::LimitExceeded, "more than 2^32 - 1 indices"));
+    }
+    let (mut offsets, mut indices) = (room.vec(faces + 1)?, room.vec(corners)?);
+    let (mut inner_pole, mut outer_pole) = (room.vec(faces)?, room.vec(faces)?);
+    offsets.push(0);
+    for (piece, _) in pieces {
+        run.poll()?;
+        let begin = indices.len();
+        offsets.extend(piece.ends.iter().map(|&end| (begin + end as usize) as u32));
+        indices.extend(piece.rings);
+        inner_pole.extend(piece.inner);
+        outer_pole.extend(piece.outer);
+    }
     let pole = |name: &str, poles| Attribute::new(name, Element::Face, 1, Values::U32(poles));
     let parts = ComplexParts {
         vertices,
@@ -83,5 +73,49 @@ pub(super) fn extract(
         ],
         ..Default::default()
     };
-    Complex::new_in(parts, run)
+    Complex::sound_in(parts, run)
+}
+
+/// The faces of some of the edges.
+#[derive(Default)]
+struct Piece {
+    rings: Vec<u32>,
+    /// Where the ring of each face ends.
+    ends: Vec<u32>,
+    inner: Vec<u32>,
+    outer: Vec<u32>,
+}
+
+impl Piece {
+    fn new(
+        regular: &Triangulation,
+        sides: &[Option<Label>],
+        edges: &Edges,
+        vertex_of_cell: &[u32],
+        range: Range<usize>,
+        room: &mut Room<'_>,
+    ) -> Result<Self> {
+        let pole_of_vertex = regular.row_of_vertex();
+        let mut piece = Piece::default();
+        let mut ring = Vec::new();
+        for (&[a, b], &cell) in edges.ends[range.clone()].iter().zip(&edges.cells[range]) {
+            let (inner, outer) = match (sides[a as usize], sides[b as usize]) {
+                (Some(Label::Inner), Some(Label::Outer)) => (a, b),
+                (Some(Label::Outer), Some(Label::Inner)) => (b, a),
+                _ => continue,
+            };
+            if !regular.ring(cell, inner, outer, &mut ring) {
+                return Err(Error::new(
+                    Status::Internal,
+                    "a facet between an inner and an outer pole is unbounded",
+                ));
+            }
+            room.grow(&mut piece.rings, ring.len())?;
+            piece.rings.extend(ring.iter().map(|&cell| vertex_of_cell[cell as usize]));
+            room.push(&mut piece.ends, piece.rings.len() as u32)?;
+            room.push(&mut piece.inner, pole_of_vertex[inner as usize])?;
+            room.push(&mut piece.outer, pole_of_vertex[outer as usize])?;
+        }
+        Ok(piece)
+    }
 }

@@ -31,7 +31,6 @@ impl PowerCrust {
                 let mut room = Room::new(run);
                 room.keep(edges.bytes())?;
                 self.check_labels(&mut report, &edges, run)?;
-                run.enter(Stage::Validate)?;
                 self.check_closed(&mut report, run)?;
                 self.check_faces(&mut report, &edges, run)?;
                 self.check_unbounded(&mut report, run)?;

@@ -9,8 +9,8 @@
 //! 2. integers of fixed width (`fixed.rs`), where the points lie on one grid that is not too fine for them;
 //! 3. integers of any size (`exact.rs`).
 
-use super::exact;
-use crate::predicates::double_double::Pairs;
+use super::{exact, processor};
+use crate::predicates::double_double::{Pairs, each};
 use std::array::from_fn;
 use std::cmp::Ordering;
 
@@ -34,7 +34,7 @@ pub struct Center {
 /// coordinates must be finite. Cost: less than a microsecond; some ten where the points are so nearly
 /// coplanar, or so far apart in scale, that pairs of floats do not suffice.
 pub fn circumcenter(points: [[f64; 3]; 4]) -> Option<Center> {
-    let [center] = centers([points], None);
+    let [center] = centers::<1, true>(&[points], None, &[points[0]]);
     center
 }
 
@@ -43,56 +43,49 @@ pub fn circumcenter(points: [[f64; 3]; 4]) -> Option<Center> {
 ///
 /// See [`circumcenter`]; the weights must be finite too.
 pub fn orthocenter(points: [[f64; 3]; 4], weights: [f64; 4]) -> Option<Center> {
-    let [center] = centers([points], Some([weights]));
+    let [center] = centers::<1, true>(&[points], Some(&[weights]), &[points[0]]);
     center
 }
 
-/// The position alone of [`orthocenter`]: much cheaper where the squared radius is nearly 0, as it is
-/// where many balls pass through one point, and so hard to round.
-pub(crate) fn orthocenter_position(points: [[f64; 3]; 4], weights: [f64; 4]) -> Option<[f64; 3]> {
-    let [center] = solve::<1, false>([points], Some([weights]), [points[0]]);
-    center.map(|center| center.position)
-}
-
-/// The centre of a cell less its first point, each coordinate rounded once; see [`circumcenter`].
-pub(crate) fn offset(cell: Cell) -> Option<[f64; 3]> {
-    let [center] = solve::<1, false>([cell], None, [[0.0; 3]]);
-    center.map(|center| center.position)
+/// The centres of `L` cells less their first points, each coordinate rounded once; see [`circumcenter`].
+pub(crate) fn offsets<const L: usize>(cells: &[Cell; L]) -> [Option<[f64; 3]>; L] {
+    centers::<L, false>(cells, None, &[[0.0; 3]; L]).map(|center| center.map(|c| c.position))
 }
 
 /// The order of the exact circumradii of two cells that are not flat and share their first point.
 ///
 /// Cost: a fraction of a microsecond; some ten where they are equal to 90 bits.
 pub(crate) fn radius_order(cells: [Cell; 2]) -> Ordering {
-    Estimates::new(cells, None).radius_order().unwrap_or_else(|| exact::radius_order(cells))
+    Estimates::new::<false>(&cells, None)
+        .radius_order()
+        .unwrap_or_else(|| exact::radius_order(cells))
 }
 
-/// The centres of `L` cells at once; see [`orthocenter`].
-#[inline]
-pub(super) fn centers<const L: usize>(
-    cells: [Cell; L],
-    weights: Option<[[f64; 4]; L]>,
+/// The centres of `L` cells with the first points taken for `bases`; see [`orthocenter`]. The squared radii
+/// mean nothing without `RADIUS`.
+pub(super) fn centers<const L: usize, const RADIUS: bool>(
+    cells: &[Cell; L],
+    weights: Option<&[[f64; 4]; L]>,
+    bases: &[[f64; 3]; L],
 ) -> [Option<Center>; L] {
-    solve::<L, true>(cells, weights, cells.map(|cell| cell[0]))
+    let found = processor::estimate::<L, RADIUS>(cells, weights, bases);
+    from_fn(|l| match found.sure[l] {
+        true => Some(Center {
+            position: found.position.map(|x| x[l]),
+            radius_squared: found.radius_squared[l],
+        }),
+        false => exact::center::<RADIUS>(cells[l], weights.map(|weights| weights[l]), bases[l]),
+    })
 }
 
-/// The centres with the first points taken for `bases`, and the squared radii, which mean nothing without
-/// `RADIUS`.
-#[inline]
-fn solve<const L: usize, const RADIUS: bool>(
-    cells: [Cell; L],
-    weights: Option<[[f64; 4]; L]>,
-    bases: [[f64; 3]; L],
-) -> [Option<Center>; L] {
-    let estimates = Estimates::new(cells, weights);
-    let mut centers = estimates.centers::<RADIUS>(bases);
-    for (l, center) in centers.iter_mut().enumerate() {
-        if center.is_none() {
-            let weights = weights.map(|weights| weights[l]);
-            *center = exact::center::<RADIUS>(cells[l], weights, bases[l]);
-        }
-    }
-    centers
+/// The centres as far as arithmetic in pairs of floats tells.
+#[inline(always)]
+pub(super) fn estimate<const L: usize, const RADIUS: bool, const FMA: bool>(
+    cells: &[Cell; L],
+    weights: Option<&[[f64; 4]; L]>,
+    bases: &[[f64; 3]; L],
+) -> Centers<L> {
+    Estimates::new::<FMA>(cells, weights).centers::<RADIUS, FMA>(bases)
 }
 
 /// 2^-106, the square of the rounding unit u.
@@ -133,12 +126,18 @@ impl<const L: usize> Estimates<L> {
     /// wrong by 63u² and N by 153u² times their sizes, the same formulas on absolute values, which are
     /// calculated in floats here; 66 and 160 leave room for the rounding of the sizes.
     #[inline(always)]
-    fn new(cells: [Cell; L], weights: Option<[[f64; 4]; L]>) -> Self {
-        let place = |p: usize, k: usize| from_fn(|l| cells[l][p][k]);
-        let mut edges: [[Pairs<L>; 3]; 3] =
-            from_fn(|i| from_fn(|k| Pairs::difference(place(i + 1, k), place(0, k))));
-        let largest: [f64; L] =
-            from_fn(|l| edges.iter().flatten().fold(0.0, |most: f64, x| most.max(x.hi[l].abs())));
+    fn new<const FMA: bool>(cells: &[Cell; L], weights: Option<&[[f64; 4]; L]>) -> Self {
+        // No closures but in `each`: they may not become part of this function, see there.
+        let mut edges = [[Pairs::default(); 3]; 3];
+        for (i, edge) in edges.iter_mut().enumerate() {
+            for (k, x) in edge.iter_mut().enumerate() {
+                *x = Pairs::difference(each(|l| cells[l][i + 1][k]), each(|l| cells[l][0][k]));
+            }
+        }
+        let mut largest = [0.0f64; L];
+        for x in edges.as_flattened() {
+            largest = each(|l| largest[l].max(x.hi[l].abs()));
+        }
         let within = |l: usize, range: [f64; 2]| largest[l] >= range[0] && largest[l] <= range[1];
         let mut certain = [true; L];
         let mut scale = [1.0; L];
@@ -149,106 +148,131 @@ impl<const L: usize> Estimates<L> {
                     scale[l] = power_of_two(1023 - (largest[l].to_bits() >> 52) as i32);
                 }
             }
-            edges = edges.map(|edge| edge.map(|x| x.scaled(scale)));
+            for x in edges.as_flattened_mut() {
+                *x = x.scaled(scale);
+            }
         }
-        let mut lifts = edges.each_ref().map(|edge| dot(edge, edge));
-        let mut lift_sizes = lifts.map(|lift| lift.hi);
+        let mut lifts = [Pairs::default(); 3];
+        for (lift, edge) in lifts.iter_mut().zip(&edges) {
+            *lift = dot::<L, FMA>(edge, edge);
+        }
+        let mut lift_sizes = [lifts[0].hi, lifts[1].hi, lifts[2].hi];
         let mut weight = [0.0; L];
         if let Some(weights) = weights {
-            let place = |p: usize| from_fn(|l| weights[l][p]);
-            weight = from_fn(|l| weights[l][0] * scale[l] * scale[l]);
+            weight = each(|l| weights[l][0] * scale[l] * scale[l]);
             for i in 0..3 {
-                let gap = Pairs::difference(place(0), place(i + 1)).scaled(scale).scaled(scale);
+                let gap = Pairs::difference(each(|l| weights[l][0]), each(|l| weights[l][i + 1]));
+                let gap = gap.scaled(scale).scaled(scale);
                 lifts[i] = lifts[i].add(&gap);
-                lift_sizes[i] = from_fn(|l| lift_sizes[i][l] + gap.hi[l].abs());
+                lift_sizes[i] = each(|l| lift_sizes[i][l] + gap.hi[l].abs());
                 for l in 0..L {
                     certain[l] &= lift_sizes[i][l] <= LIFT_LIMIT && weight[l].abs() <= LIFT_LIMIT;
                 }
             }
         }
-        let sizes: [[[f64; L]; 3]; 3] =
-            edges.each_ref().map(|edge| edge.each_ref().map(|x| x.hi.map(f64::abs)));
-        let pairs = [(1, 2), (2, 0), (0, 1)];
-        let crosses = pairs.map(|(i, j)| cross(&edges[i], &edges[j]));
-        let cross_sizes = pairs.map(|(i, j)| cross_size(&sizes[i], &sizes[j]));
-        let determinant = dot(&edges[0], &crosses[0]).normalized();
-        let determinant_error: [f64; L] = from_fn(|l| {
-            let size: f64 = (0..3).map(|k| sizes[0][k][l] * cross_sizes[0][k][l]).sum();
+        let crosses = [
+            cross::<L, FMA>(&edges[1], &edges[2]),
+            cross::<L, FMA>(&edges[2], &edges[0]),
+            cross::<L, FMA>(&edges[0], &edges[1]),
+        ];
+        let cross_sizes = [
+            cross_size(&edges[1], &edges[2]),
+            cross_size(&edges[2], &edges[0]),
+            cross_size(&edges[0], &edges[1]),
+        ];
+        let determinant = dot::<L, FMA>(&edges[0], &crosses[0]).normalized();
+        let determinant_error: [f64; L] = each(|l| {
+            let size = edges[0][0].hi[l].abs() * cross_sizes[0][0][l]
+                + edges[0][1].hi[l].abs() * cross_sizes[0][1][l]
+                + edges[0][2].hi[l].abs() * cross_sizes[0][2][l];
             66.0 * UNIT_SQUARED * size + UNDERFLOW
         });
         for l in 0..L {
             certain[l] &= determinant_error[l] <= DETERMINANT_ERROR * determinant.hi[l].abs();
         }
-        let inverse = determinant.hi.map(|d| 0.5 / d);
+        let inverse = each(|l| 0.5 / determinant.hi[l]);
         let divisor = determinant.scaled([2.0; L]);
-        let offset = from_fn(|k| {
+        let (mut offset, mut error) = ([Pairs::default(); 3], [[0.0; L]; 3]);
+        for k in 0..3 {
             let column = [crosses[0][k], crosses[1][k], crosses[2][k]];
-            divide(&dot(&lifts, &column).normalized(), &divisor, inverse)
-        });
-        // |N'/D' - N/D| <= (|N' - N| + |N'/D'| |D' - D|) / |D|, where |D| >= (1 - 2^-20) |D'|; then
-        // the division's own error of 47u².
-        let error = from_fn(|k: usize| {
-            from_fn(|l| {
-                let size: f64 = (0..3).map(|i| lift_sizes[i][l] * cross_sizes[i][k][l]).sum();
+            let numerator = dot::<L, FMA>(&lifts, &column).normalized();
+            offset[k] = divide::<L, FMA>(&numerator, &divisor, inverse);
+            // |N'/D' - N/D| <= (|N' - N| + |N'/D'| |D' - D|) / |D|, where |D| >= (1 - 2^-20) |D'|; then
+            // the division's own error of 47u².
+            error[k] = each(|l| {
+                let size = lift_sizes[0][l] * cross_sizes[0][k][l]
+                    + lift_sizes[1][l] * cross_sizes[1][k][l]
+                    + lift_sizes[2][l] * cross_sizes[2][k][l];
                 let quotient = offset[k].hi[l].abs();
                 let numerator_error = 0.5 * (160.0 * UNIT_SQUARED * size + UNDERFLOW);
                 (numerator_error + quotient * determinant_error[l])
                     * (2.0 * inverse[l].abs() * (1.0 + 4.0 * DETERMINANT_ERROR))
                     + 64.0 * UNIT_SQUARED * quotient
                     + UNDERFLOW
-            })
-        });
+            });
+        }
         Estimates { offset, error, weight, scale, certain }
     }
 
     /// The scaled squared radii and their errors: a square is wrong by 2 |x| e + e² for each coordinate x
     /// wrong by e; it is (5, 24), less the weight (6, 35), and the ends of the interval are rounded by 6u².
     #[inline(always)]
-    fn powers(&self) -> (Pairs<L>, [f64; L]) {
-        let square = dot(&self.offset, &self.offset);
-        let error = from_fn(|l| {
-            let from_offset: f64 = (0..3)
-                .map(|k| (self.error[k][l], self.offset[k].hi[l].abs()))
-                .map(|(error, size)| error * (2.0 * size + error))
-                .sum();
-            from_offset * (1.0 + DETERMINANT_ERROR)
-                + 48.0 * UNIT_SQUARED * (square.hi[l] + self.weight[l].abs())
-                + UNDERFLOW
-        });
+    fn powers<const FMA: bool>(&self) -> (Pairs<L>, [f64; L]) {
+        let square = dot::<L, FMA>(&self.offset, &self.offset);
+        let mut error = [UNDERFLOW; L];
+        for k in 0..3 {
+            let (own, size) = (self.error[k], self.offset[k].hi);
+            let factor = 1.0 + DETERMINANT_ERROR;
+            error = each(|l| error[l] + own[l] * (2.0 * size[l].abs() + own[l]) * factor);
+        }
+        let rounding = 48.0 * UNIT_SQUARED;
+        let error = each(|l| error[l] + rounding * (square.hi[l] + self.weight[l].abs()));
         (square.sub(&Pairs::exact(self.weight)), error)
     }
 
-    /// The rounded centres, where the rounding of each number is certain.
+    /// The rounded centres, the squared radii only with `RADIUS`, and whether the rounding of each number is certain.
     #[inline(always)]
-    fn centers<const RADIUS: bool>(&self, bases: [[f64; 3]; L]) -> [Option<Center>; L] {
-        let unscale = self.scale.map(|scale| 1.0 / scale);
+    fn centers<const RADIUS: bool, const FMA: bool>(&self, bases: &[[f64; 3]; L]) -> Centers<L> {
+        let unscale: [f64; L] = each(|l| 1.0 / self.scale[l]);
+        let mut sure = self.certain;
+        let mut position = [[0.0; L]; 3];
         // A sum with an exact number: 3u² of both sizes, and 2u² for the rounding of the two ends.
-        let position: [[Rounded; L]; 3] = from_fn(|k| {
-            let base: [f64; L] = from_fn(|l| bases[l][k]);
+        for k in 0..3 {
+            let base: [f64; L] = each(|l| bases[l][k]);
             let offset = self.offset[k].scaled(unscale);
-            let error = from_fn(|l| {
+            let error = each(|l| {
                 self.error[k][l] * unscale[l]
                     + 8.0 * UNIT_SQUARED * (base[l].abs() + offset.hi[l].abs())
             });
-            round(&Pairs::exact(base).add(&offset), error)
-        });
-        let (power, error) = self.powers();
-        let power = round(&power, error);
-        from_fn(|l| {
-            let radius_squared = power[l].value * unscale[l] * unscale[l];
+            position[k] = round(&Pairs::exact(base).add(&offset), error, &mut sure);
+        }
+        let mut radius_squared = [0.0; L];
+        if RADIUS {
+            let (power, error) = self.powers::<FMA>();
+            let power = round(&power, error, &mut sure);
+            radius_squared = each(|l| power[l] * unscale[l] * unscale[l]);
             // Unscaling is exact unless the result is subnormal or infinite.
-            let exact = self.scale[l] == 1.0 || radius_squared.is_normal();
-            let sure = (!RADIUS || (exact && power[l].sure)) && position.iter().all(|p| p[l].sure);
-            let position = position.map(|p| p[l].value);
-            (sure && self.certain[l]).then_some(Center { position, radius_squared })
-        })
+            for l in 0..L {
+                sure[l] &= self.scale[l] == 1.0 || radius_squared[l].is_normal();
+            }
+        }
+        Centers { position, radius_squared, sure }
     }
+}
+
+/// The centres of `L` cells.
+pub(super) struct Centers<const L: usize> {
+    /// Each coordinate of all of them.
+    position: [[f64; L]; 3],
+    radius_squared: [f64; L],
+    /// Whether all numbers are certainly the right ones.
+    sure: [bool; L],
 }
 
 impl Estimates<2> {
     /// The order of the two squared radii, where it is certain.
     fn radius_order(&self) -> Option<Ordering> {
-        let (power, error) = self.powers();
+        let (power, error) = self.powers::<false>();
         let [a, b] = [0, 1].map(|l| power.pick([l]));
         let gap = a.sub(&b).normalized().hi[0];
         // The difference of two (6, 35) is wrong by 13u² of their sum, and by the errors of both.
@@ -264,18 +288,30 @@ impl Estimates<2> {
 }
 
 #[inline(always)]
-fn dot<const L: usize>(x: &[Pairs<L>; 3], y: &[Pairs<L>; 3]) -> Pairs<L> {
-    x[0].mul(&y[0]).add(&x[1].mul(&y[1])).add(&x[2].mul(&y[2]))
+fn dot<const L: usize, const FMA: bool>(x: &[Pairs<L>; 3], y: &[Pairs<L>; 3]) -> Pairs<L> {
+    let sum = x[0].times::<FMA>(&y[0]).add(&x[1].times::<FMA>(&y[1]));
+    sum.add(&x[2].times::<FMA>(&y[2]))
+}
+
+/// The two other axes of each.
+const OTHERS: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
+
+#[inline(always)]
+fn cross<const L: usize, const FMA: bool>(x: &[Pairs<L>; 3], y: &[Pairs<L>; 3]) -> [Pairs<L>; 3] {
+    let mut cross = [Pairs::default(); 3];
+    for (entry, [i, j]) in cross.iter_mut().zip(OTHERS) {
+        *entry = x[i].times::<FMA>(&y[j]).sub(&x[j].times::<FMA>(&y[i]));
+    }
+    cross
 }
 
 #[inline(always)]
-fn cross<const L: usize>(x: &[Pairs<L>; 3], y: &[Pairs<L>; 3]) -> [Pairs<L>; 3] {
-    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| x[i].mul(&y[j]).sub(&x[j].mul(&y[i])))
-}
-
-#[inline(always)]
-fn cross_size<const L: usize>(x: &[[f64; L]; 3], y: &[[f64; L]; 3]) -> [[f64; L]; 3] {
-    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| from_fn(|l| x[i][l] * y[j][l] + x[j][l] * y[i][l]))
+fn cross_size<const L: usize>(x: &[Pairs<L>; 3], y: &[Pairs<L>; 3]) -> [[f64; L]; 3] {
+    let mut size = [[0.0; L]; 3];
+    for (entry, [i, j]) in size.iter_mut().zip(OTHERS) {
+        *entry = each(|l| (x[i].hi[l] * y[j].hi[l]).abs() + (x[j].hi[l] * y[i].hi[l]).abs());
+    }
+    size
 }
 
 /// The quotients of normalised numbers, normalised and wrong by at most 47u² of themselves; `inverse`
@@ -286,29 +322,27 @@ fn cross_size<const L: usize>(x: &[[f64; L]; 3], y: &[[f64; L]; 3]) -> [[f64; L]
 /// Its two parts are added, wrong by 4u² |x|, and the second digit is off by 3u of itself,
 /// 12u² |x / divisor|: 46u² and terms in u³.
 #[inline(always)]
-fn divide<const L: usize>(x: &Pairs<L>, divisor: &Pairs<L>, inverse: [f64; L]) -> Pairs<L> {
-    let hi: [f64; L] = from_fn(|l| x.hi[l] * inverse[l]);
-    let rest = x.sub(&divisor.mul(&Pairs::exact(hi)));
-    Pairs { hi, lo: from_fn(|l| (rest.hi[l] + rest.lo[l]) * inverse[l]) }.normalized()
+fn divide<const L: usize, const FMA: bool>(
+    x: &Pairs<L>,
+    divisor: &Pairs<L>,
+    inverse: [f64; L],
+) -> Pairs<L> {
+    let hi: [f64; L] = each(|l| x.hi[l] * inverse[l]);
+    let rest = x.sub(&divisor.times::<FMA>(&Pairs::exact(hi)));
+    Pairs { hi, lo: each(|l| (rest.hi[l] + rest.lo[l]) * inverse[l]) }.normalized()
 }
 
-/// A rounded value, and whether it is certainly the right one.
-#[derive(Clone, Copy)]
-struct Rounded {
-    value: f64,
-    sure: bool,
-}
-
-/// The floats nearest to the pairs, sure where every number within the error rounds to the same finite
+/// The floats nearest to the pairs; those stay `sure` where every number within the error rounds to the same finite
 /// one. The error must leave room for the rounding of lo - error and lo + error.
 #[inline(always)]
-fn round<const L: usize>(x: &Pairs<L>, error: [f64; L]) -> [Rounded; L] {
-    from_fn(|l| {
-        let low = x.hi[l] + (x.lo[l] - error[l]);
-        let high = x.hi[l] + (x.lo[l] + error[l]);
-        // Adding 0 turns -0 into 0.
-        Rounded { value: low + 0.0, sure: low == high && low.is_finite() }
-    })
+fn round<const L: usize>(x: &Pairs<L>, error: [f64; L], sure: &mut [bool; L]) -> [f64; L] {
+    let low: [f64; L] = each(|l| x.hi[l] + (x.lo[l] - error[l]));
+    let high: [f64; L] = each(|l| x.hi[l] + (x.lo[l] + error[l]));
+    for l in 0..L {
+        sure[l] &= low[l] == high[l] && low[l].is_finite();
+    }
+    // Adding 0 turns -0 into 0.
+    each(|l| low[l] + 0.0)
 }
 
 #[cfg(test)]

@@ -9,18 +9,19 @@ mod exact;
 mod facets;
 mod fixed;
 mod normal;
+mod processor;
 mod rays;
 mod validate;
 
 pub use center::{Center, circumcenter, orthocenter};
-pub(crate) use center::{offset, orthocenter_position, radius_order};
+pub(crate) use center::{offsets, radius_order};
 pub(crate) use exact::{direction_sign, dot_sign};
 pub use facets::Facets;
 pub(crate) use normal::unit;
 pub use rays::Rays;
 
 use crate::error::{ElementKind, Error, Result, Status};
-use crate::job::{Job, Run, Stage};
+use crate::job::{Job, PART, Room, Run, Stage, parts};
 use crate::triangulation::Triangulation;
 use std::sync::Arc;
 
@@ -64,8 +65,8 @@ impl Dual {
         run: &Run<'_>,
     ) -> Result<Self> {
         run.enter(Stage::Dual)?;
-        let _charge = run.charge(triangulation.cells().len() as u64 * CELL_BYTES)?;
-        let (centers, radii_squared) = centers(triangulation, run)?;
+        let mut room = Room::new(run);
+        let (centers, radii_squared) = centers(triangulation, &mut room, run)?;
         let rays = Rays::new(triangulation, run)?;
         let facets = match options.facets {
             true => Some(Facets::new(triangulation, &rays, run)?),
@@ -108,35 +109,72 @@ impl Dual {
     }
 }
 
-/// What a centre and a squared radius take.
-const CELL_BYTES: u64 = size_of::<[f64; 4]>() as u64;
-/// Cells whose centres are calculated together: as many as floats in the vector registers that every
-/// processor has.
-const LANES: usize = 2;
-/// Lanes between two reports of progress.
-const BATCH: usize = 4096;
-
-/// The centre and the squared radius of every cell.
-fn centers(t: &Triangulation, run: &Run<'_>) -> Result<(Vec<[f64; 3]>, Vec<f64>)> {
-    let count = t.cells().len();
-    let (mut centers, mut radii_squared) = (run.try_vec(count)?, run.try_vec(count)?);
-    for (batch, cells) in t.cells().chunks(LANES * BATCH).enumerate() {
-        run.tick(batch * LANES * BATCH, count)?;
-        for chunk in cells.chunks(LANES) {
+/// The orthocentres of the given cells of a regular triangulation, correctly rounded, without their radii: much
+/// cheaper where the squared radius is nearly 0, as it is where many balls pass through one point, and so hard to
+/// round.
+pub(crate) fn orthocenter_positions(
+    t: &Triangulation,
+    cells: &[u32],
+    positions: &mut [[f64; 3]],
+    run: &Run<'_>,
+) -> Result<()> {
+    for (cells, positions) in cells.chunks(LANES * 256).zip(positions.chunks_mut(LANES * 256)) {
+        run.poll()?;
+        for (cells, positions) in cells.chunks(LANES).zip(positions.chunks_mut(LANES)) {
             // The last cell stands for those that are missing.
-            let lanes: [[u32; 4]; LANES] = std::array::from_fn(|l| chunk[l.min(chunk.len() - 1)]);
-            let points = lanes.map(|cell| cell.map(|v| t.coords()[v as usize]));
-            let weights =
-                t.is_weighted().then(|| lanes.map(|cell| cell.map(|v| t.weights()[v as usize])));
-            for center in center::centers(points, weights).into_iter().take(chunk.len()) {
-                let center = center.ok_or_else(|| {
-                    Error::new(Status::Internal, "the cell is flat")
-                        .at(ElementKind::Cell, centers.len() as u64)
-                })?;
-                centers.push(center.position);
-                radii_squared.push(center.radius_squared);
+            let lanes: [u32; LANES] = std::array::from_fn(|l| cells[l.min(cells.len() - 1)]);
+            let corners = lanes.map(|cell| t.cells()[cell as usize]);
+            let points = corners.map(|corners| corners.map(|v| t.coords()[v as usize]));
+            let weights = corners.map(|corners| corners.map(|v| t.weights()[v as usize]));
+            let bases = points.map(|points| points[0]);
+            let found = center::centers::<LANES, false>(&points, Some(&weights), &bases);
+            for ((position, found), &cell) in positions.iter_mut().zip(found).zip(cells) {
+                *position = found.ok_or_else(|| is_flat(cell))?.position;
             }
         }
     }
+    Ok(())
+}
+
+/// The error of a cell without a centre.
+fn is_flat(cell: u32) -> Error {
+    Error::new(Status::Internal, "the cell is flat").at(ElementKind::Cell, u64::from(cell))
+}
+
+/// Cells whose centres are calculated together: as many as floats in a vector register of most processors.
+pub(crate) const LANES: usize = 4;
+
+/// The centre and the squared radius of every cell.
+fn centers(
+    t: &Triangulation,
+    room: &mut Room<'_>,
+    run: &Run<'_>,
+) -> Result<(Vec<[f64; 3]>, Vec<f64>)> {
+    let count = t.cells().len();
+    let mut centers = room.filled(count, [0.0; 3])?;
+    let mut radii_squared = room.filled(count, 0.0)?;
+    let results = centers.chunks_mut(PART).zip(radii_squared.chunks_mut(PART));
+    let chunks = parts(count).into_iter().zip(results).collect();
+    run.in_steps(chunks, [0.0, 0.8], |(range, (centers, radii_squared))| {
+        for begin in range.clone().step_by(LANES) {
+            // The last cell stands for those that are missing.
+            let lanes: [usize; LANES] = std::array::from_fn(|l| (begin + l).min(range.end - 1));
+            let corners = lanes.map(|cell| t.cells()[cell]);
+            let points = corners.map(|corners| corners.map(|v| t.coords()[v as usize]));
+            let bases = points.map(|points| points[0]);
+            let weights =
+                t.is_weighted().then(|| corners.map(|c| c.map(|v| t.weights()[v as usize])));
+            let found = center::centers::<LANES, true>(&points, weights.as_ref(), &bases);
+            for (cell, center) in (begin..range.end).zip(found) {
+                if cell % 1024 == 0 {
+                    run.poll()?;
+                }
+                let center = center.ok_or_else(|| is_flat(cell as u32))?;
+                centers[cell - range.start] = center.position;
+                radii_squared[cell - range.start] = center.radius_squared;
+            }
+        }
+        Ok(())
+    })?;
     Ok((centers, radii_squared))
 }

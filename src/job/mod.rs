@@ -7,6 +7,7 @@ mod room;
 mod threads;
 
 pub(crate) use room::Room;
+pub(crate) use threads::{PART, parts};
 
 use crate::error::{Error, Result, Status};
 use std::sync::atomic::{AtomicBool, AtomicU8, AtomicU64, Ordering};

@@ -2,11 +2,38 @@
 
 use super::Run;
 use crate::error::Result;
+use std::ops::Range;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
 
+/// The items of a part that is worth a thread's while, and is done in a few milliseconds where items are cheap.
+pub(crate) const PART: usize = 1 << 14;
+
+/// The ranges of [`PART`] items that make up `0..count`; the last may be shorter.
+pub(crate) fn parts(count: usize) -> Vec<Range<usize>> {
+    (0..count).step_by(PART).map(|begin| begin..count.min(begin + PART)).collect()
+}
+
 impl Run<'_> {
+    /// [`Run::in_parallel`], reporting after each part: all of them take the stage from the first fraction of its
+    /// progress to the second.
+    pub(crate) fn in_steps<T: Send, R: Send>(
+        &self,
+        parts: Vec<T>,
+        [from, to]: [f64; 2],
+        work: impl Fn(T) -> Result<R> + Sync,
+    ) -> Result<Vec<R>> {
+        let (count, done) = (parts.len(), AtomicUsize::new(0));
+        self.in_parallel(parts, |part| {
+            let result = work(part)?;
+            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+            let progress = from + (to - from) * done as f64 / count as f64;
+            self.tick((1e6 * progress) as usize, 1_000_000)?;
+            Ok(result)
+        })
+    }
+
     /// Does all parts of some work, as many at a time as the job has threads, and returns what they gave in
     /// the order of the parts. The calling thread works too; with one thread, or one part, no other is started.
     ///
@@ -50,8 +77,9 @@ impl Run<'_> {
 
 #[cfg(test)]
 mod tests {
+    use super::{PART, parts};
     use crate::error::{Error, Status};
-    use crate::job::{Job, JobOptions};
+    use crate::job::{Job, JobOptions, Stage};
     use std::collections::HashSet;
     use std::sync::{Barrier, Mutex};
     use std::thread;
@@ -70,6 +98,22 @@ mod tests {
             assert_eq!(squares.unwrap(), (0..100).map(|i| i * i).collect::<Vec<_>>());
             assert!(seen.into_inner().unwrap().len() <= threads);
         }
+    }
+
+    #[test]
+    fn steps_bring_the_stage_from_one_fraction_to_the_other() {
+        let job = Job::new(JobOptions { threads: 2, ..JobOptions::default() });
+        let ranges = job.run(&[(Stage::Dual, 1.0), (Stage::Poles, 1.0)], |run| {
+            run.enter(Stage::Dual)?;
+            let ranges = run.in_steps(parts(3 * PART + 1), [0.25, 0.5], |range| {
+                assert!(job.progress() < 0.25);
+                Ok(range)
+            })?;
+            assert_eq!(job.progress(), 0.25);
+            Ok(ranges)
+        });
+        let expected = [0, PART, 2 * PART, 3 * PART].map(|i| i..(i + PART).min(3 * PART + 1));
+        assert_eq!(ranges.unwrap(), expected);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use crate::dual::Dual;
 use crate::error::Result;
 use crate::index::NONE;
-use crate::job::{Room, Run};
+use crate::job::{Room, Run, parts};
 use crate::predicates::insphere;
 
 /// For each cell the least cell with the same circumscribed sphere, in exact arithmetic.
@@ -18,19 +18,25 @@ pub(super) fn least_cells<'a>(
     let t = dual.triangulation();
     let count = t.cells().len();
     let mut parent = room.collect(0..count as u32)?;
-    for cell in 0..count {
-        if cell % 4096 == 0 {
-            run.tick(cell / 4, count)?;
-        }
-        for neighbor in t.neighbors()[cell] {
-            if neighbor != NONE
-                && neighbor as usize > cell
-                && same_sphere(dual, cell, neighbor as usize)
-            {
-                let (a, b) = (root(&mut parent, cell as u32), root(&mut parent, neighbor));
-                parent[a.max(b) as usize] = a.min(b);
+    let pairs = run.in_steps(parts(count), [0.0, 0.25], |range| {
+        let mut room = Room::new(run);
+        let mut pairs: Vec<[u32; 2]> = Vec::new();
+        for cell in range {
+            for neighbor in t.neighbors()[cell] {
+                if neighbor != NONE
+                    && neighbor as usize > cell
+                    && same_sphere(dual, cell, neighbor as usize)
+                {
+                    room.push(&mut pairs, [cell as u32, neighbor])?;
+                }
             }
         }
+        run.poll()?;
+        Ok((pairs, room))
+    })?;
+    for pair in run.watch(pairs.iter().flat_map(|(pairs, _)| pairs)) {
+        let [a, b] = pair?.map(|cell| root(&mut parent, cell));
+        parent[a.max(b) as usize] = a.min(b);
     }
     // A parent is less than its child: by the time a cell is reached, its parent points at the root.
     for cell in run.watch(0..count) {
@@ -45,10 +51,11 @@ fn same_sphere(dual: &Dual, cell: usize, neighbor: usize) -> bool {
     let t = dual.triangulation();
     let at = |v: u32| &t.coords()[v as usize];
     let [a, b, c, d] = t.cells()[cell];
-    let apex = t.cells()[neighbor].into_iter().find(|v| ![a, b, c, d].contains(v));
-    dual.centers()[cell] == dual.centers()[neighbor]
-        && dual.radii_squared()[cell] == dual.radii_squared()[neighbor]
-        && apex.is_some_and(|e| insphere(at(a), at(b), at(c), at(d), at(e)).is_zero())
+    let apex = || t.cells()[neighbor].into_iter().find(|v| ![a, b, c, d].contains(v));
+    // Radii are sooner looked at than centres.
+    dual.radii_squared()[cell] == dual.radii_squared()[neighbor]
+        && dual.centers()[cell] == dual.centers()[neighbor]
+        && apex().is_some_and(|e| insphere(at(a), at(b), at(c), at(d), at(e)).is_zero())
 }
 
 fn root(parent: &mut [u32], mut cell: u32) -> u32 {

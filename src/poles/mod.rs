@@ -10,10 +10,10 @@ mod select;
 mod validate;
 
 use crate::complex::Hierarchy;
-use crate::dual::{Dual, DualOptions, offset, unit};
+use crate::dual::{Dual, DualOptions, LANES, offsets, unit};
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::index::NONE;
-use crate::job::{Job, Room, Run, Stage};
+use crate::job::{Job, PART, Room, Run, Stage, parts};
 use crate::points::{Bounds, COORDINATE_MIN, FAR_BOX_LEN, Points, order};
 use crate::triangulation::Triangulation;
 use select::Selection;
@@ -117,12 +117,10 @@ impl Poles {
         };
         let pairs = first.iter().zip(&second).map(|(p, q)| [pole(p), pole(q)]);
         let pole_of_sample = room.collect(pairs)?;
-        for (sample, &cell) in first.iter().enumerate().filter(|(_, cell)| **cell != NONE) {
-            if sample % 4096 == 0 {
-                run.poll()?;
-            }
-            normals[sample] = direction(t, sample as u32, cell)?;
-        }
+        let chunks = parts(samples).into_iter().zip(normals.chunks_mut(PART)).collect();
+        run.in_steps(chunks, [0.9, 1.0], |(range, normals)| {
+            directions(t, &first[range.clone()], range.start, normals, run)
+        })?;
         let ball = |&cell: &u32| {
             let [x, y, z] = position(dual, cell);
             [x, y, z, dual.radii_squared()[cell as usize].sqrt()]
@@ -260,10 +258,36 @@ fn mark_far(
     Ok(())
 }
 
-/// The unit direction from a sample to the centre of one of its cells.
-fn direction(t: &Triangulation, sample: u32, cell: u32) -> Result<[f64; 3]> {
-    // From the exact difference: the centre itself may round to the sample.
-    offset(select::seen_from(t, sample, cell)).map(unit).ok_or_else(|| {
-        Error::new(Status::Internal, "the cell is flat").at(ElementKind::Cell, u64::from(cell))
-    })
+/// The unit directions from samples, the first of them given, to the centres of the given cells of theirs; where
+/// there is none nothing changes.
+fn directions(
+    t: &Triangulation,
+    cells: &[u32],
+    first: usize,
+    directions: &mut [[f64; 3]],
+    run: &Run<'_>,
+) -> Result<()> {
+    for begin in (0..cells.len()).step_by(LANES) {
+        if begin % 1024 == 0 {
+            run.poll()?;
+        }
+        let end = cells.len().min(begin + LANES);
+        let any = cells[begin..end].iter().position(|&cell| cell != NONE);
+        let Some(any) = any.map(|i| begin + i) else { continue };
+        // Another one stands for those that are missing. From the exact difference: the centre itself may
+        // round to the sample.
+        let lanes: [usize; LANES] = std::array::from_fn(|l| match begin + l {
+            i if i < end && cells[i] != NONE => i,
+            _ => any,
+        });
+        let seen = lanes.map(|i| select::seen_from(t, (first + i) as u32, cells[i]));
+        for (i, offset) in lanes.into_iter().zip(offsets(&seen)) {
+            let flat = || {
+                let cell = u64::from(cells[i]);
+                Error::new(Status::Internal, "the cell is flat").at(ElementKind::Cell, cell)
+            };
+            directions[i] = unit(offset.ok_or_else(flat)?);
+        }
+    }
+    Ok(())
 }

@@ -4,7 +4,7 @@ use super::position;
 use crate::dual::{Dual, direction_sign, dot_sign, radius_order, unit};
 use crate::error::Result;
 use crate::index::NONE;
-use crate::job::{Room, Run};
+use crate::job::{PART, Room, Run};
 use crate::predicates::Sign;
 use crate::predicates::double_double::Pairs;
 use crate::triangulation::Triangulation;
@@ -24,42 +24,42 @@ pub(super) struct Selection {
 }
 
 impl Selection {
-    /// Two passes over the cells; ascending, so that the least of equal cells is kept.
+    /// The cells of each sample are looked at in ascending order, so that the least of equal ones is kept.
     pub(super) fn new(
         dual: &Dual,
         samples: usize,
         room: &mut Room<'_>,
         run: &Run<'_>,
     ) -> Result<Self> {
-        let t = dual.triangulation();
-        let count = t.cells().len();
         let normals = directions_to_infinity(dual, samples, room, run)?;
         let (mut first, mut second) = (room.filled(samples, NONE)?, room.filled(samples, NONE)?);
-        let of_samples =
-            |cell: usize| t.cells()[cell].into_iter().map(|v| v as usize).filter(|&v| v < samples);
-        for cell in 0..count {
-            if cell % 16384 == 0 {
-                run.tick(count / 4 + cell / 4, count)?;
-            }
-            for sample in of_samples(cell) {
-                let best = &mut first[sample];
-                if normals[sample] == [0.0; 3] && is_farther(dual, sample, cell as u32, *best) {
-                    *best = cell as u32;
+        let incidence = dual.triangulation().incidence_in(run)?;
+        let results = first.chunks_mut(PART / 8).zip(second.chunks_mut(PART / 8));
+        let chunks = results.zip(normals.chunks(PART / 8)).enumerate().collect();
+        run.in_steps(chunks, [0.4, 0.8], |(chunk, ((first, second), normals))| {
+            for (i, normal) in normals.iter().enumerate() {
+                let sample = chunk * (PART / 8) + i;
+                let cells = incidence.cells_of(sample as u32);
+                if i % 64 == 0 || cells.len() > 1024 {
+                    run.poll()?;
+                }
+                if *normal == [0.0; 3] {
+                    for &cell in cells {
+                        if is_farther(dual, sample, cell, first[i]) {
+                            first[i] = cell;
+                        }
+                    }
+                }
+                for &cell in cells {
+                    if is_farther(dual, sample, cell, second[i])
+                        && is_opposite(dual, sample, cell, first[i], *normal)
+                    {
+                        second[i] = cell;
+                    }
                 }
             }
-        }
-        for cell in 0..count {
-            if cell % 1024 == 0 {
-                run.tick(count / 2 + cell / 2, count)?;
-            }
-            for sample in of_samples(cell) {
-                if is_farther(dual, sample, cell as u32, second[sample])
-                    && is_opposite(dual, sample, cell as u32, first[sample], normals[sample])
-                {
-                    second[sample] = cell as u32;
-                }
-            }
-        }
+            Ok(())
+        })?;
         Ok(Selection { first, second, normals })
     }
 }
@@ -145,12 +145,14 @@ pub(super) fn is_opposite(
         NONE => (normal, [0.0; 3]),
         first => to_center(first),
     };
-    let sum = |term: &dyn Fn(usize) -> f64| term(0) + term(1) + term(2);
-    let dot = sum(&|k| x[k] * y[k]);
     // What the coordinates are off, then 3u for the products and sums, and room for underflow.
-    let error = sum(&|k| x[k].abs() * y_error[k] + x_error[k] * (y[k].abs() + y_error[k]))
-        + 4.0 * UNIT * sum(&|k| (x[k] * y[k]).abs())
-        + f64::MIN_POSITIVE;
+    let (mut dot, mut error, mut size) = (0.0, 0.0, 0.0);
+    for k in 0..3 {
+        dot += x[k] * y[k];
+        size += (x[k] * y[k]).abs();
+        error += x[k].abs() * y_error[k] + x_error[k] * (y[k].abs() + y_error[k]);
+    }
+    let error = error + 4.0 * UNIT * size + f64::MIN_POSITIVE;
     // A comparison with NaN is false: what overflows is decided exactly, as what is too close.
     if dot.abs() > error * (1.0 + 16.0 * UNIT) {
         return dot < 0.0;

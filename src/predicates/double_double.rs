@@ -21,13 +21,33 @@
 //!
 //! Nothing underflows for inputs within the ranges of [`super`]: see there.
 
-use std::array::from_fn;
+/// The array of a function's values.
+///
+/// Unlike those of the standard library it becomes part of its caller, so that it is compiled for the caller's
+/// processor, see `processor.rs`.
+#[inline(always)]
+pub(crate) fn each<T: Copy + Default, const N: usize>(of: impl Fn(usize) -> T) -> [T; N] {
+    let mut array = [T::default(); N];
+    let mut i = 0;
+    while i < N {
+        array[i] = of(i);
+        i += 1;
+    }
+    array
+}
 
 /// `L` unevaluated sums of two floats.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pairs<const L: usize> {
     pub(crate) hi: [f64; L],
     pub(crate) lo: [f64; L],
+}
+
+impl<const L: usize> Default for Pairs<L> {
+    #[inline(always)]
+    fn default() -> Self {
+        Pairs { hi: [0.0; L], lo: [0.0; L] }
+    }
 }
 
 impl<const L: usize> Pairs<L> {
@@ -42,8 +62,13 @@ impl<const L: usize> Pairs<L> {
 
     #[inline(always)]
     fn of(pair: impl Fn(usize) -> (f64, f64)) -> Self {
-        // Two passes over the same closure: the compiler merges them into vector code.
-        Pairs { hi: from_fn(|i| pair(i).0), lo: from_fn(|i| pair(i).1) }
+        let mut pairs = Self::default();
+        let mut i = 0;
+        while i < L {
+            (pairs.hi[i], pairs.lo[i]) = pair(i);
+            i += 1;
+        }
+        pairs
     }
 
     /// The given floats.
@@ -71,7 +96,7 @@ impl<const L: usize> Pairs<L> {
     /// The pairs at the given places.
     #[inline(always)]
     pub(crate) fn pick<const M: usize>(&self, places: [usize; M]) -> Pairs<M> {
-        Pairs { hi: places.map(|i| self.hi[i]), lo: places.map(|i| self.lo[i]) }
+        Pairs { hi: each(|i| self.hi[places[i]]), lo: each(|i| self.lo[places[i]]) }
     }
 
     /// The sums.
@@ -87,7 +112,7 @@ impl<const L: usize> Pairs<L> {
     /// The differences.
     #[inline(always)]
     pub(crate) fn sub(&self, other: &Self) -> Self {
-        self.add(&Pairs { hi: other.hi.map(|x| -x), lo: other.lo.map(|x| -x) })
+        self.add(&Pairs { hi: each(|i| -other.hi[i]), lo: each(|i| -other.lo[i]) })
     }
 
     /// The products.
@@ -99,7 +124,7 @@ impl<const L: usize> Pairs<L> {
     /// The same products by fused multiply-adds, if `FMA`: for functions that are compiled for processors
     /// which have them, see `processor.rs`. On others they would cost a call.
     #[inline(always)]
-    pub(super) fn times<const FMA: bool>(&self, other: &Self) -> Self {
+    pub(crate) fn times<const FMA: bool>(&self, other: &Self) -> Self {
         Self::of(|i| {
             let hi = self.hi[i] * other.hi[i];
             let error = two_product_error::<FMA>(self.hi[i], other.hi[i], hi);

@@ -4,8 +4,9 @@ use super::Triangulation;
 use super::cells::EVEN;
 use crate::error::Result;
 use crate::index::NONE;
-use crate::job::{Job, Room, Run, Stage};
+use crate::job::{Job, PART, Room, Run, Stage};
 use crate::sort::sort_by_key;
+use std::ops::Range;
 
 /// The cells of every vertex, in rows.
 ///
@@ -98,25 +99,69 @@ impl Triangulation {
 
     /// [`Triangulation::edges`] as a part of a larger build.
     pub(crate) fn edges_in(&self, incidence: &Incidence, run: &Run<'_>) -> Result<Edges> {
+        let vertices = self.coords().len();
+        // Few parts: each needs as much memory as there are vertices.
+        let size = match run.threads() {
+            1 => vertices,
+            threads => vertices.div_ceil(2 * threads).max(PART),
+        };
+        let ranges = (0..vertices).step_by(size.max(1));
+        let ranges = ranges.map(|begin| begin..vertices.min(begin + size)).collect();
+        let mut pieces = run.in_parallel(ranges, |range| {
+            let mut room = Room::new(run);
+            Ok((self.edges_of(incidence, range, &mut room, run)?, room))
+        })?;
+        if pieces.len() == 1 {
+            return Ok(pieces.swap_remove(0).0);
+        }
         let mut room = Room::new(run);
+        let count = pieces.iter().map(|(edges, _)| edges.ends.len()).sum();
+        let mut all = Edges { ends: room.vec(count)?, cells: room.vec(count)? };
+        for (edges, _) in pieces {
+            run.poll()?;
+            all.ends.extend(edges.ends);
+            all.cells.extend(edges.cells);
+        }
+        Ok(all)
+    }
+
+    /// The edges whose lesser vertex is one of the given.
+    fn edges_of(
+        &self,
+        incidence: &Incidence,
+        vertices: Range<usize>,
+        room: &mut Room<'_>,
+        run: &Run<'_>,
+    ) -> Result<Edges> {
         let mut edges = Edges::default();
         let mut found: Vec<(u32, u32)> = Vec::new();
+        // The vertex that has found each other one last.
+        let mut finder = room.filled(self.coords().len(), NONE)?;
         let mut seen = 0;
-        for vertex in 0..self.coords().len() as u32 {
+        for vertex in vertices.start as u32..vertices.end as u32 {
             // A vertex may have nearly all cells: they count, not the vertices.
-            seen += incidence.cells_of(vertex).len();
+            let cells = incidence.cells_of(vertex);
+            seen += cells.len();
             if seen >= 4096 {
                 seen = 0;
                 run.poll()?;
             }
             found.clear();
-            room.grow(&mut found, 3 * incidence.cells_of(vertex).len())?;
-            for &cell in incidence.cells_of(vertex) {
-                let others = self.cells[cell as usize].into_iter().filter(|&v| v > vertex);
-                found.extend(others.map(|other| (other, cell)));
+            room.grow(&mut found, 4 * cells.len())?;
+            found.resize(4 * cells.len(), (0, 0));
+            // Each is written where the next one goes, and kept if it is new: no branches, which nobody could
+            // predict.
+            let mut count = 0;
+            for &cell in cells {
+                for other in self.cells[cell as usize] {
+                    let is_new = other > vertex && finder[other as usize] != vertex;
+                    finder[other as usize] = vertex;
+                    found[count] = (other, cell);
+                    count += usize::from(is_new);
+                }
             }
+            found.truncate(count);
             sort_by_key(&mut found, |(other, _)| u64::from(*other), run)?;
-            found.dedup_by_key(|(other, _)| *other);
             room.grow(&mut edges.ends, found.len())?;
             room.grow(&mut edges.cells, found.len())?;
             edges.ends.extend(found.iter().map(|&(other, _)| [vertex, other]));
@@ -159,6 +204,31 @@ impl Triangulation {
         false
     }
 
+    /// Whether any cell round the edge from `a` to `b` is what is looked for, given one of the cells; looks no
+    /// further then. Cost: as [`Triangulation::ring`], or less.
+    pub(crate) fn any_round(
+        &self,
+        cell: u32,
+        a: u32,
+        b: u32,
+        is_it: impl Fn(&[u32; 4]) -> bool,
+    ) -> bool {
+        for [a, b] in [[a, b], [b, a]] {
+            let mut current = cell;
+            while current != NONE {
+                if is_it(&self.cells[current as usize]) {
+                    return true;
+                }
+                current = self.turn(current, a, b);
+                if current == cell {
+                    return false;
+                }
+            }
+            // The hull cuts the ring: the rest lies the other way.
+        }
+        false
+    }
+
     /// The next cell counterclockwise round the edge from `a` to `b`, or [`NONE`].
     fn turn(&self, cell: u32, a: u32, b: u32) -> u32 {
         self.neighbors[cell as usize][self.facet_ahead(cell, a, b)]
@@ -167,8 +237,10 @@ impl Triangulation {
     /// The facet of the cell through which a counterclockwise turn round the edge from `a` to `b`
     /// leaves it. The cell must have both vertices.
     pub(crate) fn facet_ahead(&self, cell: u32, a: u32, b: u32) -> usize {
-        let vertices = &self.cells[cell as usize];
-        let slot_of = |v: u32| vertices.iter().position(|&w| w == v).unwrap_or(0);
+        let [_, p, q, r] = self.cells[cell as usize];
+        // Without branches, which nobody could predict.
+        let slot_of =
+            |v: u32| usize::from(p == v) + 2 * usize::from(q == v) + 3 * usize::from(r == v);
         // With (a, b, k, l) positive, the turn goes from k to l: it leaves through facet a b l.
         let [_, _, k, _] = EVEN[slot_of(a)][slot_of(b)];
         k

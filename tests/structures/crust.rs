@@ -2,7 +2,8 @@
 
 use crate::sets::{self, Random, Set};
 use medax::crust::{Label, PowerCrustOptions};
-use medax::{Job, Points, Poles, PowerCrust, Status};
+use medax::dual::{Dual, DualOptions};
+use medax::{Job, JobOptions, Points, Poles, PowerCrust, Status};
 use std::sync::Arc;
 
 fn points(rows: &[[f64; 3]]) -> Arc<Points> {
@@ -163,16 +164,16 @@ fn what_each_stage_leaves_is_counted() {
     let of_poles = peak(&|job| drop(Poles::with_far_box(&rows, job).unwrap()));
     let least = size(poles.triangulation()) + 32 * poles.triangulation().cells().len();
     assert!(of_poles > least, "{of_poles} of {least}");
-    // While the surface is extracted there are the regular triangulation and its edges; two numbers a cell of
-    // it; and for the surface rings as cells and as vertices, two poles a face, positions, triangles.
+    // When the surface is done there are the regular triangulation and its edges; a number for each cell of it; and
+    // of the surface rings, where they begin, two poles a face, positions and cells, triangles.
     let of_crust = peak(&|job| drop(PowerCrust::from_poles(poles, options, job).unwrap()));
     let incidence = regular.incidence(&Job::default()).unwrap();
     let edges = regular.edges(&incidence, &Job::default()).unwrap();
     let least = size(regular)
         + 12 * edges.ends.len()
-        + 5 * regular.cells().len()
-        + 8 * surface.faces().indices().len()
-        + 16 * surface.faces().len()
+        + 4 * regular.cells().len()
+        + 4 * surface.faces().indices().len()
+        + 12 * surface.faces().len()
         + 28 * surface.vertices().len()
         + 16 * surface.triangles().len();
     assert!(of_crust > least, "{of_crust} of {least}");
@@ -223,4 +224,40 @@ fn without_an_inner_pole_the_surface_is_empty() {
     assert!(crust.labels().iter().all(|label| *label == Label::Outer));
     assert!(crust.surface().faces().is_empty());
     assert_valid(&crust, "cube");
+}
+
+/// Everything that a crust is made of, as text: floats are written so that they differ if any bit does.
+fn described(rows: &[[f64; 3]], threads: usize) -> String {
+    let job = Job::new(JobOptions { threads, ..Default::default() });
+    let crust = PowerCrust::build(&points(rows), PowerCrustOptions::default(), &job).unwrap();
+    let (poles, regular) = (crust.poles(), crust.regular());
+    let dual = Dual::new(poles.triangulation(), DualOptions { facets: true }, &job).unwrap();
+    let of_poles = (poles.balls(), poles.radii_squared(), poles.cell_of_pole(), poles.normals());
+    let of_samples = (poles.pole_of_sample(), poles.touches_far_box());
+    let shapes = [crust.surface(), crust.inner_shape(), crust.outer_shape()];
+    format!(
+        "{dual:?} {of_poles:?} {of_samples:?} {:?} {shapes:?}",
+        (regular.cells(), crust.labels())
+    )
+}
+
+#[test]
+fn threads_change_no_bit() {
+    // Enough cells for several parts; and all kinds of ties, too few for more than one.
+    let mut random = Random(29);
+    let rows: Vec<_> = (0..8000)
+        .map(|_| {
+            let [x, y, z] = random.sphere();
+            let bump = 1.0 + 0.01 * random.unit();
+            [bump * x, 0.7 * bump * y, 0.4 * bump * z]
+        })
+        .collect();
+    let mut sets = sets::all(120);
+    sets.push(Set { name: "ellipsoid", rows });
+    for Set { name, rows } in sets {
+        let one = described(&rows, 1);
+        for threads in [2, 3, 8] {
+            assert!(described(&rows, threads) == one, "{name}, {threads} threads");
+        }
+    }
 }

@@ -63,7 +63,8 @@ fn check(points: Cell, weights: Option<[f64; 4]>) -> Result<(), TestCaseError> {
         return Ok(());
     };
     let found = found.unwrap();
-    let [from_first] = solve::<1, true>([points], weights.map(|w| [w]), [[0.0; 3]]);
+    let weight = weights.map(|w| [w]);
+    let [from_first] = centers::<1, true>(&[points], weight.as_ref(), &[[0.0; 3]]);
     let offset = from_first.unwrap().position;
     for k in 0..3 {
         prop_assert!(is_nearest(found.position[k], &center[k]), "coordinate {k}: {found:?}");
@@ -77,7 +78,18 @@ fn check(points: Cell, weights: Option<[f64; 4]>) -> Result<(), TestCaseError> {
         w.rotate_left(1);
         [w; 3]
     });
-    prop_assert_eq!(centers([turned; 3], weights), [Some(found); 3]);
+    let three = centers::<3, true>(&[turned; 3], weights.as_ref(), &[turned[0]; 3]);
+    prop_assert_eq!(three, [Some(found); 3]);
+    // What the first stage is sure of is right, by fused operations too.
+    let bases = [turned[0]; 3];
+    for first in [
+        estimate::<3, true, false>(&[turned; 3], weights.as_ref(), &bases),
+        estimate::<3, true, true>(&[turned; 3], weights.as_ref(), &bases),
+    ] {
+        let position = first.position.map(|x| x[0]);
+        let same = (position, first.radius_squared[0]) == (found.position, found.radius_squared);
+        prop_assert!(same || !first.sure[0]);
+    }
     Ok(())
 }
 
@@ -207,6 +219,11 @@ fn lattice_cells(x: [f64; 2], y: [f64; 2], z: [f64; 2]) -> Vec<Cell> {
         .into()
 }
 
+/// Whether the first stage suffices.
+fn is_sure(points: Cell) -> bool {
+    estimate::<1, true, false>(&[points], None, &[points[0]]).sure[0]
+}
+
 #[test]
 fn cells_of_lattices_are_correctly_rounded() {
     for step in [1.0, 0.1, 1e-9, 12345.678] {
@@ -221,7 +238,7 @@ fn cells_of_lattices_are_correctly_rounded() {
     // Around the origin every coordinate of the center is 0, which no error bound can show.
     for points in lattice_cells([-0.1, 0.1], [-0.3, 0.3], [-0.7, 0.7]) {
         assert_eq!(circumcenter(points).unwrap().position, [0.0; 3]);
-        assert!(Estimates::new([points], None).centers::<true>([points[0]]) == [None]);
+        assert!(!is_sure(points));
     }
 }
 
@@ -234,9 +251,8 @@ fn random_cells_need_no_integers() {
     };
     for _ in 0..10_000 {
         let points: Cell = std::array::from_fn(|_| std::array::from_fn(|_| next()));
-        let [center] = Estimates::new([points], None).centers::<true>([points[0]]);
-        assert!(center.is_some());
-        assert_eq!(center, exact::center::<true>(points, None, points[0]));
+        assert!(is_sure(points));
+        assert_eq!(circumcenter(points), exact::center::<true>(points, None, points[0]));
     }
 }
 
@@ -246,7 +262,7 @@ fn the_error_bound_holds_and_is_not_idle() {
     // not so wide that it says nothing.
     let runner = ProptestConfig::with_cases(1000);
     proptest!(runner, |(cell in any_cell())| {
-        let estimate = Estimates::new([cell], None);
+        let estimate = Estimates::new::<false>(&[cell], None);
         if !estimate.certain[0] {
             return Ok(());
         }
