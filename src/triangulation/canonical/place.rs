@@ -4,6 +4,7 @@ use super::{PARTITION, Stretch};
 use crate::error::Result;
 use crate::index::NONE;
 use crate::job::{Room, Run};
+use std::hint::select_unpredictable;
 
 /// Bits of a vertex up to which a cell has room for its place.
 const VERTEX_BITS: u32 = if cfg!(test) { 10 } else { 24 };
@@ -61,14 +62,11 @@ impl Places {
         let share = len.div_ceil(workers).max(1);
         let mut parts = Vec::new();
         for cells in slots.cells.chunks(share) {
-            parts.push((cells, room.filled(self.partitions, 0u32)?));
+            parts.push((cells, room.filled(self.partitions + 1, 0u32)?));
         }
         let mut next = run.in_parallel(parts, |(cells, mut counts)| {
             for cell in run.watch(cells) {
-                let &cell = cell?;
-                if !has(cell, infinite) {
-                    counts[least(cell) as usize / PARTITION] += 1;
-                }
+                counts[self.home(*cell?, infinite).1] += 1;
             }
             Ok(counts)
         })?;
@@ -88,20 +86,27 @@ impl Places {
         run.in_parallel(parts, |((cells, mut apart), mut next)| {
             for cell in run.watch(cells.iter_mut().enumerate()) {
                 let (i, cell) = cell?;
-                if has(*cell, infinite) {
-                    *cell = [NONE; 4];
-                    continue;
-                }
-                let next = &mut next[least(*cell) as usize / PARTITION];
+                let (is_finite, partition) = self.home(*cell, infinite);
+                let place = select_unpredictable(is_finite, next[partition], NONE);
+                next[partition] += 1;
                 match &mut apart {
-                    Some(places) => places[i] = *next,
-                    None => *cell = with_place(*cell, *next),
+                    Some(places) => places[i] = place,
+                    None => *cell = with_place(*cell, place),
                 }
-                *next += 1;
+                *cell = cell.map(|word| select_unpredictable(is_finite, word, NONE));
             }
             Ok(())
         })?;
         Ok(begins)
+    }
+
+    /// Whether a cell without a place is finite, and its partition. Without branches, which would be guessed wrongly.
+    #[inline(always)]
+    fn home(&self, cell: [u32; 4], infinite: u32) -> (bool, usize) {
+        let [a, b, c, d] = cell;
+        let is_finite = a.max(b).max(c.max(d)) != infinite;
+        let partition = least(cell) as usize / PARTITION;
+        (is_finite, select_unpredictable(is_finite, partition, self.partitions))
     }
 
     /// Replaces neighbours by their places, [`NONE`] where these are not finite. `number` makes the number of the slot of what
@@ -159,10 +164,4 @@ fn without_place([_, b, c, d]: [u32; 4]) -> [u32; 4] {
 #[inline(always)]
 pub(super) fn least([a, b, c, d]: [u32; 4]) -> u32 {
     a.min(b).min(c.min(d))
-}
-
-/// Whether a vertex, the greatest of all, is one of four.
-#[inline(always)]
-fn has([a, b, c, d]: [u32; 4], greatest: u32) -> bool {
-    a.max(b).max(c.max(d)) == greatest
 }

@@ -56,6 +56,7 @@ struct Sorter<'a> {
     items: Vec<Item>,
     /// The places of the cells of a partition, by their numbers.
     places_of: Vec<u32>,
+    keys: [u64; FEW],
     keyed: Vec<(u64, u32)>,
     ends: Vec<u32>,
     room: Room<'a>,
@@ -71,6 +72,7 @@ impl<'a> Sorter<'a> {
             places,
             items: room.filled(most, Item::default())?,
             places_of: room.filled(most, 0)?,
+            keys: [0; FEW],
             keyed: Vec::new(),
             ends: room.filled(PARTITION, 0)?,
             room,
@@ -121,8 +123,8 @@ impl<'a> Sorter<'a> {
             let end = &mut self.ends[vertices[least] as usize - first];
             let neighbors = slots.neighbors[slot];
             self.items[*end as usize] = (
-                order.map(|slot| vertices[slot]),
-                order.map(|slot| neighbors[slot]),
+                order.map(|slot| vertices[slot & 3]),
+                order.map(|slot| neighbors[slot & 3]),
                 place - begin,
             );
             *end += 1;
@@ -147,16 +149,22 @@ impl<'a> Sorter<'a> {
         };
         if items.len() <= FEW {
             // Filled up to whole eights: so the number of turns is mostly the same, and guessed rightly.
-            let mut keys = [u64::MAX; FEW];
+            let keys = &mut self.keys[..items.len().next_multiple_of(8)];
+            let (last_eight, _) = keys.as_chunks_mut::<8>();
+            if let Some(last) = last_eight.last_mut() {
+                *last = [u64::MAX >> 1; 8];
+            }
             for (to, item) in keys.iter_mut().zip(items) {
                 *to = key(&item.0);
             }
-            let (eights, _) = keys[..items.len().next_multiple_of(8)].as_chunks::<8>();
-            for (item, key) in items.iter().zip(&keys) {
+            let (eights, _) = keys.as_chunks::<8>();
+            for (item, key) in items.iter().zip(&*keys) {
+                // The upper bit of a difference tells which is less, without a branch and in vector registers.
                 let less = |keys: &[u64; 8]| {
-                    keys.iter().map(|other| usize::from(other < key)).sum::<usize>()
+                    keys.iter().map(|other| other.wrapping_sub(*key) >> 63).sum::<u64>()
                 };
-                put(bucket.start + eights.iter().map(less).sum::<usize>(), item);
+                let before = eights.iter().map(less).sum::<u64>();
+                put(bucket.start + before as usize, item);
             }
             return Ok(());
         }
