@@ -243,9 +243,9 @@ fn described(rows: &[[f64; 3]], threads: usize) -> String {
 
 #[test]
 fn threads_change_no_bit() {
-    // Enough cells for several parts; and all kinds of ties, too few for more than one.
+    // Enough samples and cells for several parts; and all kinds of ties, too few for more than one.
     let mut random = Random(29);
-    let rows: Vec<_> = (0..8000)
+    let rows: Vec<_> = (0..17_000)
         .map(|_| {
             let [x, y, z] = random.sphere();
             let bump = 1.0 + 0.01 * random.unit();
