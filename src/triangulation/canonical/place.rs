@@ -6,7 +6,7 @@ use crate::index::NONE;
 use crate::job::{Room, Run};
 use std::hint::select_unpredictable;
 
-/// Bits of a vertex up to which a cell has room for its place.
+/// Bits of vertices up to which a cell has room for its place.
 const VERTEX_BITS: u32 = if cfg!(test) { 10 } else { 24 };
 /// The least number of slots in a share.
 const LEAST_SHARE: usize = if cfg!(test) { 8 } else { 1 << 13 };
@@ -21,14 +21,16 @@ const PART: usize = if cfg!(test) { 8 } else { 1 << 15 };
 #[derive(Clone, Copy)]
 pub(super) struct Places {
     are_apart: bool,
-    /// The number of partitions of vertices, and of that of slots without a finite cell.
+    /// The number of partitions of vertices; that of slots without a finite cell comes after them.
     pub partitions: usize,
 }
 
 impl Places {
     pub fn new(vertices: u32) -> Self {
         let partitions = (vertices as usize).div_ceil(PARTITION);
-        Places { are_apart: vertices > 1 << VERTEX_BITS, partitions }
+        // No partition has the vertex whose bits are all ones: it is what an unused slot seems to have.
+        let are_apart = partitions > ((1 << VERTEX_BITS) - 1) / PARTITION;
+        Places { are_apart, partitions }
     }
 
     /// Whether the places need an array of their own.
