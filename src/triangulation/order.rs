@@ -3,9 +3,14 @@
 //! Amenta, Choi, Rote 2003, *Incremental constructions con BRIO*: every round inserts a random
 //! share of the points, each about eight times the one before, in spatial order within the
 //! round. The result does not depend on it, only the time does.
+//!
+//! Ours is as good as random: multiples of the golden ratio, modulo 1, are as evenly spread as can be, over any stretch of the curve
+//! (Knuth, *The Art of Computer Programming* 3, 6.4). A round takes those that fall into an interval.
 
-/// Bits of a vertex's random number that one round consumes: one in eight goes a round earlier.
+/// One in 2^3 vertices goes a round earlier.
 const ROUND_BITS: u32 = 3;
+/// The golden ratio, modulo 1, times 2^32.
+const GOLDEN: u32 = 0x9e37_79b9;
 /// The least number of points in the first round.
 const FIRST_ROUND: usize = 1 << 10;
 
@@ -37,20 +42,12 @@ impl Rounds {
 
     /// The vertices of a round, ascending, that is, in spatial order.
     pub fn vertices(self, round: u32) -> impl Iterator<Item = u32> + Send {
-        (0..self.vertices as u32).filter(move |&v| self.round_of(v) == round)
+        let end = u32::MAX.unbounded_shr(ROUND_BITS * round);
+        let begin = if round == self.first { 0 } else { (end >> ROUND_BITS) + 1 };
+        let width = end - begin;
+        (0..self.vertices as u32)
+            .filter(move |&v| v.wrapping_mul(GOLDEN).wrapping_sub(begin) <= width)
     }
-
-    fn round_of(self, vertex: u32) -> u32 {
-        (split_mix(u64::from(vertex)).trailing_zeros() / ROUND_BITS).min(self.first)
-    }
-}
-
-/// The random number of an index (Steele, Lea, Flood 2014, SplitMix64).
-fn split_mix(index: u64) -> u64 {
-    let mut z = index.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
 }
 
 /// Every vertex once, round by round, each round in spatial order.
