@@ -4,7 +4,7 @@
 //!
 //! **In bounds.** A [`Cell`] and a [`Facet`] are made in this file only, from slots that were handed
 //! out. So what is read from the arrays names slots within them, and needs no check. The arrays
-//! move only in [`Cells::hand_out`], which borrows them as a whole, and never shrink. (All cells belong to one
+//! move only in [`Cells::hand_out_to_all`], which borrows them as a whole, and never shrink. (All cells belong to one
 //! [`Cells`]: a build has no other.)
 //!
 //! **Initialised.** Slots are filled with zeros, and the arrays as long as that, before they are handed out.
@@ -19,25 +19,29 @@
 //! 3. Marks are atomic.
 //!
 //! Let Y be a cell that the patch owns, and X a neighbour of Y that it does not. X has at least two vertices
-//! of the patch: Y has three, and one facet lacks only one of them. (i) No other patch owns X, which would take three of
-//! the other two. So nobody writes the vertices of X. (ii) Of the neighbours of X, a thread writes only those that it owns or
+//! of the patch: Y has three, and one facet lacks only one of them. (i) No other patch owns X, since only two vertices
+//! are left. So nobody writes the vertices of X. (ii) Of the neighbours of X, a thread writes only those that it owns or
 //! replaces by its own cells, and these are different places in the array for different threads. So no two threads
 //! touch the same element of an array, if one of them writes. A new cell consists of the new vertex and a facet of a cell that the
 //! patch owns: it has three vertices of the patch at least, so that the patch owns it.
 //!
 //! Threads begin after the patches were made, and end before these are given up: what one of them wrote is seen by all afterwards.
-//! The rules are kept by `cavity.rs`, `star.rs` and `walk.rs`, and checked in debug builds where cells are written. Miri and a stress
-//! test over many builds watch them too.
+//! The rules are kept by `cavity.rs`, `star.rs` and `walk.rs`, and checked in debug builds where cells are written. `make tsan` watches
+//! them too, and tests that compare the cells of one thread and of several.
 #![allow(unsafe_code)]
 
 use crate::error::{Error, Result, Status};
 use crate::job::{Charge, Run};
 use std::marker::PhantomData;
+use std::mem::MaybeUninit;
 use std::ops::Range;
 use std::sync::atomic::{AtomicU8, Ordering};
 
 /// The most cells: a packed neighbour, `4 * cell + facet`, must fit into 32 bits.
 pub const CELL_LIMIT: usize = 1 << 30;
+
+/// Slots that one thread fills at a time.
+const PIECE: usize = if cfg!(test) { 64 } else { 1 << 14 };
 
 /// What one cell takes: vertices, packed neighbours, mark.
 const CELL_BYTES: usize = size_of::<[u32; 4]>() * 2 + 1;
@@ -204,15 +208,48 @@ impl<'a> Cells<'a> {
     ///
     /// Errors: those of [`Cells::grow`].
     pub fn hand_out(&mut self, count: usize, to: &mut Slots) -> Result<()> {
-        if self.vertices.capacity() < self.len() + count {
+        self.hand_out_to_all(&mut [(count, to)])
+    }
+
+    /// Hands out more slots to several, so many to each. All threads fill them: the first to touch new memory
+    /// waits for it.
+    ///
+    /// Errors: those of [`Cells::grow`], and [`Status::Cancelled`].
+    pub fn hand_out_to_all(&mut self, to: &mut [(usize, &mut Slots)]) -> Result<()> {
+        let begin = self.len();
+        let count = to.iter().map(|(count, _)| count).sum();
+        if self.vertices.capacity() < begin + count {
             self.grow(count)?;
         }
-        to.free.extend(to.fresh.by_ref().map(Cell));
-        let len = self.len();
-        self.vertices.resize(len + count, [0; 4]);
-        self.neighbors.resize(len + count, [0; 4]);
-        self.marks.resize(len + count, 0);
-        to.fresh = len as u32..(len + count) as u32;
+        if count < PIECE {
+            self.vertices.resize(begin + count, [0; 4]);
+            self.neighbors.resize(begin + count, [0; 4]);
+            self.marks.resize(begin + count, 0);
+        } else {
+            let vertices = self.vertices.spare_capacity_mut()[..count].chunks_mut(PIECE);
+            let neighbors = self.neighbors.spare_capacity_mut()[..count].chunks_mut(PIECE);
+            let marks = self.marks.spare_capacity_mut()[..count].chunks_mut(PIECE);
+            let pieces = vertices.zip(neighbors).zip(marks).collect();
+            self.run.in_parallel(pieces, |((vertices, neighbors), marks)| {
+                self.run.poll()?;
+                vertices.fill(MaybeUninit::new([0; 4]));
+                neighbors.fill(MaybeUninit::new([0; 4]));
+                marks.fill(MaybeUninit::new(0));
+                Ok(())
+            })?;
+            // SAFETY: there is capacity for so many, and the loop above has filled them.
+            unsafe {
+                self.vertices.set_len(begin + count);
+                self.neighbors.set_len(begin + count);
+                self.marks.set_len(begin + count);
+            }
+        }
+        let mut next = begin as u32;
+        for (count, slots) in to {
+            slots.free.extend(slots.fresh.by_ref().map(Cell));
+            slots.fresh = next..next + *count as u32;
+            next += *count as u32;
+        }
         Ok(())
     }
 

@@ -208,12 +208,12 @@ impl<'a, S: Site> Crew<'a, S> {
         let per_point = (cells.len() - unused) as f64 / done as f64;
         // What is missing in the end makes points wait for the next pass, so a little more is asked for.
         let wanted = (expected as f64 * per_point * (33.0 / 32.0)) as usize / threads + 512;
-        for worker in &mut self.workers[..threads] {
-            let missing = wanted.saturating_sub(worker.slots().len());
-            if missing > 0 {
-                cells.hand_out(missing, worker.slots())?;
-            }
-        }
+        let mut missing: Vec<_> = self.workers[..threads]
+            .iter_mut()
+            .map(|worker| (wanted.saturating_sub(worker.slots().len()), worker.slots()))
+            .filter(|&(count, _)| count > 0)
+            .collect();
+        cells.hand_out_to_all(&mut missing)?;
         Ok(())
     }
 }
