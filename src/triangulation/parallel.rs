@@ -20,7 +20,7 @@ const PER_THREAD: usize = if cfg!(test) { 16 } else { 1 << 13 };
 /// The most threads: a box's number is a byte.
 const MOST_THREADS: usize = 255;
 /// How many vertices of a box are tried to find a cell in it.
-const TRIALS: usize = 16;
+const TRIALS: usize = 32;
 /// The most passes of several threads in a round.
 const PASSES: usize = 4;
 /// What the sides of cuts that lie below them have of their fair share of the points, in one pass after the other.
@@ -136,7 +136,10 @@ impl<'a, S: Site> Crew<'a, S> {
         self.provide(cells, expected, threads)?;
         let mut begun = Vec::new();
         for (id, worker) in self.workers[..threads].iter_mut().enumerate() {
-            let own = vertices().filter(|&v| usize::from(self.boxes[v as usize]) == id);
+            // Some of all its vertices: those to insert may all lie near an earlier cut.
+            let all = 0..sites.len() as u32;
+            let own = all.filter(|&v| usize::from(self.boxes[v as usize]) == id);
+            let own = own.step_by(sites.len() / (threads * TRIALS) + 1);
             let near = cell_within(cells, sites, worker, self.near, &self.boxes, own);
             worker.begin(near.unwrap_or(self.near));
             begun.push(near.is_some());
@@ -232,12 +235,7 @@ fn cell_within<S: Site>(
 ) -> Option<Cell> {
     let patch = cells.whole();
     let mut near = from;
-    let mut step = 0;
-    let mut vertices = vertices;
-    for _ in 0..TRIALS {
-        // Further and further on.
-        let vertex = vertices.nth(step)?;
-        step = 2 * step + 1;
+    for vertex in vertices {
         near = worker.locate(&patch, sites, near, vertex);
         let its = Some(&boxes[vertex as usize]);
         let own = patch.vertices(near).into_iter().filter(|&v| boxes.get(v as usize) == its);
