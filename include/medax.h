@@ -1725,6 +1725,17 @@ typedef struct {
      * between their spheres exceeds this; in [0, 1], 0.4 by default.
      */
     double deep;
+    /**
+     * 1 to take the power diagram of balls whose centres are rounded to a grid, which is faster; 0, the
+     * default, not to. The step of the grid is 2^-36 of the least power of two that the longest side of the
+     * samples' box does not exceed. #medax_power_crust_regular and the shapes then have the rounded balls,
+     * #medax_power_crust_poles those that were chosen.
+     */
+    uint32_t round_poles;
+    /**
+     * Must be 0.
+     */
+    uint32_t reserved;
 } medax_power_crust_options;
 
 /**

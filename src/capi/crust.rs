@@ -19,7 +19,7 @@ use super::validation::{self, medax_validation};
 use super::view::{Out, medax_view_u32, numbers};
 use crate::PowerCrust;
 use crate::crust::{Label, PowerCrustOptions};
-use crate::error::{Error, Status};
+use crate::error::{Error, Result, Status};
 use std::ptr;
 use std::sync::Arc;
 
@@ -55,14 +55,23 @@ pub struct medax_power_crust_options {
     /// Neighbouring balls intersect deeply, and so lie on the same side, where -cos of the angle
     /// between their spheres exceeds this; in [0, 1], 0.4 by default.
     pub deep: f64,
+    /// 1 to take the power diagram of balls whose centres are rounded to a grid, which is faster; 0, the
+    /// default, not to. The step of the grid is 2^-36 of the least power of two that the longest side of the
+    /// samples' box does not exceed. #medax_power_crust_regular and the shapes then have the rounded balls,
+    /// #medax_power_crust_poles those that were chosen.
+    pub round_poles: u32,
+    /// Must be 0.
+    pub reserved: u32,
 }
 
 sized_struct!(medax_power_crust_options,
-    first_size: size_of::<medax_power_crust_options>(), reserved: none, { deep: f64 = 0.4 });
+    first_size: size_of::<medax_power_crust_options>(), reserved: reserved,
+    { deep: f64 = 0.4, round_poles: u32 = 0, reserved: u32 = 0 });
 
 impl medax_power_crust_options {
-    fn translate(&self) -> PowerCrustOptions {
-        PowerCrustOptions { deep: self.deep }
+    fn translate(&self) -> Result<PowerCrustOptions> {
+        let round_poles = options::flag(self.round_poles, "round_poles")?;
+        Ok(PowerCrustOptions { deep: self.deep, round_poles })
     }
 }
 
@@ -99,7 +108,7 @@ pub unsafe extern "C" fn medax_power_crust_build(
 ) -> medax_status {
     boundary::status(|| {
         let points = &handle::get(points, "points")?.points;
-        let options = options::read(options, "options")?.translate();
+        let options = options::read(options, "options")?.translate()?;
         let out = Out::new(out_crust, "out_crust")?;
         let mut own = None;
         let crust = PowerCrust::build(points, options, handle::job(job, &mut own))?;
@@ -126,7 +135,7 @@ pub unsafe extern "C" fn medax_power_crust_build_from_poles(
 ) -> medax_status {
     boundary::status(|| {
         let poles = &handle::get(poles, "poles")?.poles;
-        let options = options::read(options, "options")?.translate();
+        let options = options::read(options, "options")?.translate()?;
         let out = Out::new(out_crust, "out_crust")?;
         let mut own = None;
         let crust = PowerCrust::from_poles(poles, options, handle::job(job, &mut own))?;

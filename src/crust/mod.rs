@@ -5,6 +5,7 @@
 //! outer, describe the solid and its complement; the facets of the balls' power diagram
 //! between inner and outer cells are the surface.
 
+mod balls;
 mod export;
 mod label;
 mod queue;
@@ -18,7 +19,7 @@ use crate::complex::Complex;
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
 use crate::job::{Job, Room, Run, Stage};
-use crate::points::{Points, PointsOptions};
+use crate::points::Points;
 use crate::poles::Poles;
 use crate::triangulation::Triangulation;
 use std::sync::Arc;
@@ -30,11 +31,18 @@ pub struct PowerCrustOptions {
     /// between their spheres exceeds this; in [0, 1], 0.4 by default (the paper's angle alpha is
     /// arccos(-0.4), about 114 degrees).
     pub deep: f64,
+    /// Take the power diagram of balls whose centres are rounded to a grid, which is faster; off by default.
+    ///
+    /// The step of the grid is 2^-36 of the least power of two that the longest side of the samples' box does
+    /// not exceed, but 2^-160 at least. Each ball then reaches to its own sample, the least whose pole it is: its weight
+    /// is the squared distance from there to the rounded centre, rounded to 53 bits and to the square of the step.
+    /// Poles that come to lie at the same place are one vertex of the triangulation, and the heaviest counts.
+    pub round_poles: bool,
 }
 
 impl Default for PowerCrustOptions {
     fn default() -> Self {
-        PowerCrustOptions { deep: 0.4 }
+        PowerCrustOptions { deep: 0.4, round_poles: false }
     }
 }
 
@@ -112,7 +120,7 @@ impl PowerCrust {
             ));
         }
         let mut room = Room::new(run);
-        let regular = Arc::new(triangulate_balls(&poles, run)?);
+        let regular = Arc::new(balls::triangulate(&poles, &options, run)?);
         room.keep(regular.bytes())?;
         run.enter(Stage::Label)?;
         let incidence = regular.incidence_in(run)?;
@@ -126,7 +134,7 @@ impl PowerCrust {
         let sides = label::sides(&regular, &labels, &mut room)?;
         let surface = surface::extract(&regular, &sides, &edges, run)?;
         room.keep(surface.bytes())?;
-        let [outer_shape, inner_shape] = shape::extract(&poles, &regular, &sides, &edges, run)?;
+        let [outer_shape, inner_shape] = shape::extract(&regular, &sides, &edges, run)?;
         Ok(PowerCrust {
             options,
             poles,
@@ -145,12 +153,12 @@ impl PowerCrust {
         &self.options
     }
 
-    /// The poles and their balls.
+    /// The poles and their balls, as they were chosen: not rounded.
     pub fn poles(&self) -> &Arc<Poles> {
         &self.poles
     }
 
-    /// The regular triangulation of the polar balls; its input rows are the poles.
+    /// The regular triangulation of the polar balls, rounded if that was asked for; its input rows are the poles.
     pub fn regular(&self) -> &Arc<Triangulation> {
         &self.regular
     }
@@ -177,7 +185,7 @@ impl PowerCrust {
     }
 
     /// The inner power shape: poles inside the solid with `radius` and `pole`, and the faces of the
-    /// regular triangulation between them.
+    /// regular triangulation between them. Centres and radii are those of the regular triangulation.
     pub fn inner_shape(&self) -> &Arc<Complex> {
         &self.inner_shape
     }
@@ -195,26 +203,4 @@ impl PowerCrust {
             && self.regular.row_of_vertex()[vertex as usize] == pole
             && self.regular.hidden().binary_search(&vertex).is_err()
     }
-}
-
-/// The regular triangulation of the polar balls: weights are squared radii.
-///
-/// The poles are our own rows, not the caller's: an error about them says so, and names no row.
-fn triangulate_balls(poles: &Poles, run: &Run<'_>) -> Result<Triangulation> {
-    let of_poles = |error: Error| match error.status() {
-        Status::CoordinateRange | Status::TooFewPoints | Status::Degenerate => Error::new(
-            error.status(),
-            format!(
-                "the sample's {} poles have no power diagram ({}); sample the surface more densely",
-                poles.len(),
-                error.message()
-            ),
-        ),
-        _ => error,
-    };
-    let centers = poles.balls().iter().map(|&[x, y, z, _]| [x, y, z]);
-    let points = Points::new_in(centers, PointsOptions::default(), run).map_err(of_poles)?;
-    let mut room = Room::new(run);
-    room.keep(points.bytes())?;
-    Triangulation::regular_in(&Arc::new(points), poles.radii_squared(), run).map_err(of_poles)
 }

@@ -6,7 +6,6 @@ use crate::complex::{Attribute, CellType, Complex, ComplexParts, Element, Rows, 
 use crate::error::Result;
 use crate::index::NONE;
 use crate::job::{Room, Run, parts};
-use crate::poles::Poles;
 use crate::triangulation::{Edges, Triangulation};
 use std::ops::Range;
 
@@ -14,9 +13,8 @@ use std::ops::Range;
 ///
 /// The vertices of each are that side's poles, but for those hidden in the regular triangulation;
 /// faces are all triangles between them, edges those that no such triangle has, cells the
-/// tetrahedra. Vertices carry `radius` and `pole`.
+/// tetrahedra. Vertices carry `radius`, the root of their weight, and `pole`.
 pub(super) fn extract(
-    poles: &Poles,
     regular: &Triangulation,
     sides: &[Option<Label>],
     edges: &Edges,
@@ -47,7 +45,7 @@ pub(super) fn extract(
         let pole_of_vertex = regular.row_of_vertex();
         let of_side = &vertices[side];
         let poles_of = room.collect(of_side.iter().map(|&v| pole_of_vertex[v as usize]))?;
-        let radii = room.collect(poles_of.iter().map(|&pole| poles.balls()[pole as usize][3]))?;
+        let radii = room.collect(of_side.iter().map(|&v| regular.weights()[v as usize].sqrt()))?;
         let facets = || pieces.iter().map(|(piece, _)| &piece[side]);
         let cells = joined(facets().map(|piece| &piece.cells[..]), &mut room, run)?;
         let faces = joined(facets().map(|piece| &piece.faces[..]), &mut room, run)?;

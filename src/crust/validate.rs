@@ -1,5 +1,6 @@
 //! The combinatorial check of a power crust.
 
+use super::balls::{Grid, own_samples};
 use super::label::{label_poles, unbounded_poles};
 use super::{Label, PowerCrust};
 use crate::complex::{Complex, Element, Values};
@@ -10,9 +11,9 @@ use crate::triangulation::Edges;
 use crate::validation::Validation;
 
 impl PowerCrust {
-    /// Checks that the labels are those of the algorithm, that the surface is closed, that its faces are exactly the power facets between
+    /// Checks that the triangulation is that of the poles' balls, that the labels are those of the algorithm, that the surface is closed, that its faces are exactly the power facets between
     /// inner and outer poles, that no inner pole has an unbounded cell, and that the power
-    /// shapes are those of the labels. Nothing is a matter of coordinates here: the triangulation has
+    /// shapes are those of the labels. The cells are not looked at: the triangulation has
     /// its own [`validate`](crate::Triangulation::validate). Errors: those of the job. Cost: O(size).
     pub fn validate(&self, job: &Job) -> Result<Validation> {
         job.run(&[(Stage::Validate, 1.0)], |run| {
@@ -30,6 +31,7 @@ impl PowerCrust {
                 let edges = self.regular.edges_in(&incidence, run)?;
                 let mut room = Room::new(run);
                 room.keep(edges.bytes())?;
+                self.check_balls(&mut report, run)?;
                 self.check_labels(&mut report, &edges, run)?;
                 self.check_closed(&mut report, run)?;
                 self.check_faces(&mut report, &edges, run)?;
@@ -39,6 +41,41 @@ impl PowerCrust {
             }
             Ok(report)
         })
+    }
+
+    /// Each pole is a row of the triangulation with its own ball, or with one that lies on the grid, half a step
+    /// away at most, and holds the pole's own sample on its sphere.
+    fn check_balls(&self, report: &mut Validation, run: &Run<'_>) -> Result<()> {
+        let t = &*self.regular;
+        let step = self.options.round_poles.then(|| Grid::of(&self.poles).step);
+        let own = own_samples(&self.poles, &mut Room::new(run), run)?;
+        for (pole, &vertex) in t.points().vertex_of_row().iter().enumerate() {
+            if pole % 1024 == 0 {
+                run.poll()?;
+            }
+            let [x, y, z, _] = self.poles.balls()[pole];
+            let (center, weight) = (t.coords()[vertex as usize], t.weights()[vertex as usize]);
+            let pairs = || center.into_iter().zip([x, y, z]);
+            let (is_moved_right, expected, slack) = match step {
+                None => (center == [x, y, z], self.poles.radii_squared()[pole], 0.0),
+                Some(step) => {
+                    let on_grid = |x: f64| (x / step).fract() == 0.0;
+                    let moved = pairs().all(|(to, from)| (to - from).abs() <= step / 2.0);
+                    let sample = self.poles.triangulation().coords()[own[pole] as usize];
+                    let square = center.iter().zip(sample).map(|(c, s)| (c - s) * (c - s)).sum();
+                    let on_grid = center.into_iter().all(on_grid) && on_grid(weight / step);
+                    (on_grid && moved, square, step * step + 8.0 * f64::EPSILON * square)
+                }
+            };
+            // Where several poles lie, the heaviest counts.
+            let counts = t.row_of_vertex()[vertex as usize] == pole as u32;
+            let excess = weight - expected;
+            let right = is_moved_right && excess >= -slack && (!counts || excess <= slack);
+            report.check(right, ElementKind::Vertex, pole as u64, || {
+                "its ball in the regular triangulation is another".into()
+            });
+        }
+        Ok(())
     }
 
     /// Labelling once more gives the same labels, those of hidden poles included.
@@ -173,8 +210,8 @@ impl PowerCrust {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Points;
     use crate::crust::PowerCrustOptions;
+    use crate::{Points, Triangulation};
     use std::sync::Arc;
 
     /// A cube's surface, sampled on a lattice: ties everywhere, sharp edges.
@@ -204,6 +241,41 @@ mod tests {
                 Label::Outer => Label::Inner,
             };
             assert!(!is_valid(&crust), "pole {pole}");
+        }
+    }
+
+    #[test]
+    fn another_ball_is_noticed() {
+        let mut crust = crust();
+        crust.options.round_poles = true;
+        crust = PowerCrust::from_poles(&crust.poles, crust.options, &Job::default()).unwrap();
+        let has_its_balls = |crust: &PowerCrust| {
+            let mut report = Validation::new();
+            let check = |run: &Run<'_>| crust.check_balls(&mut report, run);
+            Job::default().run(&[], check).unwrap();
+            report.is_valid()
+        };
+        assert!(has_its_balls(&crust));
+        let step = Grid::of(&crust.poles).step;
+        let exact = PowerCrustOptions { round_poles: false, ..crust.options };
+        for options in [crust.options, exact] {
+            crust = PowerCrust::from_poles(&crust.poles, options, &Job::default()).unwrap();
+            // Off the grid, on it but too far, weights too small and too large.
+            for (by, of_weight) in [(0.1, 0.0), (1.0, 0.0), (0.0, -4.0), (0.0, 4.0)] {
+                let row = crust.poles.len() as u32 / 2;
+                let t = &crust.regular;
+                let vertex_of_row = t.points().vertex_of_row().iter();
+                let mut rows: Vec<_> = vertex_of_row.map(|&v| t.site(v)).collect();
+                rows[row as usize][1] += by * step;
+                // Some poles have the place of others: their weights are those of the heaviest.
+                rows[row as usize][3] += of_weight * step;
+                let points = rows.iter().map(|&[x, y, z, _]| [x, y, z]);
+                let points = Points::new(points, Default::default(), &Job::default()).unwrap();
+                let weights: Vec<f64> = rows.iter().map(|row| row[3]).collect();
+                let other = Triangulation::regular(&Arc::new(points), &weights, &Job::default());
+                let other = PowerCrust { regular: Arc::new(other.unwrap()), ..crust.clone() };
+                assert!(!has_its_balls(&other), "{by} {of_weight} {options:?}");
+            }
         }
     }
 

@@ -88,9 +88,11 @@ FIELD(medax_write_options, reserved, 12);
 SIZE(medax_poles_options, 8);
 FIELD(medax_poles_options, struct_size, 0);
 
-SIZE(medax_power_crust_options, 16);
+SIZE(medax_power_crust_options, 24);
 FIELD(medax_power_crust_options, struct_size, 0);
 FIELD(medax_power_crust_options, deep, 8);
+FIELD(medax_power_crust_options, round_poles, 16);
+FIELD(medax_power_crust_options, reserved, 20);
 
 SIZE(medax_dual_options, 16);
 FIELD(medax_dual_options, struct_size, 0);

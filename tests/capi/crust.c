@@ -36,7 +36,13 @@ static void refusals(void) {
     CHECK_STATUS(NULL_ARGUMENT, medax_power_crust_options_init(NULL, sizeof options));
     CHECK_STATUS(INVALID_ARGUMENT, medax_power_crust_options_init(&options, 8));
     CHECK_STATUS(OK, medax_power_crust_options_init(&options, sizeof options));
-    CHECK(options.deep == 0.4);
+    CHECK(options.deep == 0.4 && options.round_poles == 0 && options.reserved == 0);
+    options.round_poles = 2;
+    CHECK_STATUS(INVALID_ARGUMENT, medax_power_crust_build(points, &options, NULL, &crust));
+    options.round_poles = 0;
+    options.reserved = 1;
+    CHECK_STATUS(INVALID_ARGUMENT, medax_power_crust_build(points, &options, NULL, &crust));
+    options.reserved = 0;
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
         options.deep = bad[i];
         CHECK_STATUS(INVALID_ARGUMENT, medax_power_crust_build(points, &options, NULL, &crust));
@@ -91,6 +97,47 @@ static int is_closed(medax_view_rows faces) {
         }
     }
     return faces.rows > 0;
+}
+
+/* The samples' box is the unit cube, so that a rounded centre is a multiple of 2^-36. */
+static void rounded(void) {
+    const double step = 1.0 / 68719476736.0;
+    const medax_points *points = cube();
+    const medax_power_crust *crust = NULL;
+    const medax_poles *poles = NULL;
+    const medax_triangulation *regular = NULL;
+    const medax_complex *surface = NULL;
+    medax_power_crust_options options;
+    medax_validation report;
+    size_t moved = 0;
+    CHECK_STATUS(OK, medax_power_crust_options_init(&options, sizeof options));
+    options.round_poles = 1;
+    CHECK_STATUS(OK, medax_power_crust_build(points, &options, NULL, &crust));
+    NEED(crust != NULL);
+    CHECK_STATUS(OK, medax_power_crust_poles(crust, &poles));
+    CHECK_STATUS(OK, medax_power_crust_regular(crust, &regular));
+    CHECK_STATUS(OK, medax_power_crust_surface(crust, &surface));
+    CHECK(is_closed(medax_complex_faces(surface)));
+    const medax_view_f64 balls = medax_poles_balls(poles), centers = medax_triangulation_coords(regular);
+    const medax_view_u32 pole = medax_triangulation_row_of_vertex(regular);
+    NEED(centers.rows == pole.rows && centers.cols == 3 && balls.cols == 4);
+    for (size_t v = 0; v < centers.rows; ++v) {
+        for (size_t k = 0; k < 3; ++k) {
+            const double to = centers.data[3 * v + k], from = balls.data[4 * (size_t)pole.data[v] + k];
+            CHECK(to / step == (double)(int64_t)(to / step));
+            CHECK(to - from <= step / 2 && from - to <= step / 2);
+            moved += to != from;
+        }
+    }
+    CHECK(moved > centers.rows);
+    report.struct_size = sizeof report;
+    CHECK_STATUS(OK, medax_power_crust_validate(crust, NULL, &report));
+    CHECK(report.problems == 0 && report.checked > 0);
+    medax_triangulation_free(regular);
+    medax_complex_free(surface);
+    medax_poles_free(poles);
+    medax_power_crust_free(crust);
+    medax_points_free(points);
 }
 
 static void parts(void) {
@@ -216,6 +263,7 @@ int main(void) {
     refusals();
     null_is_nothing();
     parts();
+    rounded();
     cancelled_at("triangulate");
     cancelled_at("poles");
     cancelled_at("regular");

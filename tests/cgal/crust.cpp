@@ -18,7 +18,7 @@ using reference::none;
 using reference::Point;
 
 // What is wrong with the labels and facets, or nothing.
-std::string wrong_crust(const subject::Crust& medax) {
+std::string wrong_crust(const subject::Crust& medax, bool round_poles) {
     reference::Balls balls;
     for (const auto& ball : medax.poles.balls) {
         balls.centres.push_back(centre_of(ball));
@@ -27,7 +27,9 @@ std::string wrong_crust(const subject::Crust& medax) {
     balls.samples.assign(medax.poles.vertices.begin(), medax.poles.vertices.end() - 8);
     balls.pole_of_sample = medax.poles.pole_of_sample;
     balls.seed = medax.poles.touches_far_box;
-    const reference::Triangulation regular = reference::regular(balls.centres, medax.poles.radii_squared);
+    reference::Rounded weighted{balls.centres, medax.poles.radii_squared};
+    if (round_poles) weighted = reference::rounded(balls.centres, balls.samples, balls.pole_of_sample);
+    const reference::Triangulation regular = reference::regular(weighted.centres, weighted.weights);
 
     std::vector<Cell> ours(medax.regular_cells.begin(), medax.regular_cells.end());
     std::vector<bool> visible(balls.centres.size());
@@ -52,8 +54,8 @@ std::string wrong_crust(const subject::Crust& medax) {
     return facets == crust.facets ? "" : "the facets differ";
 }
 
-void compare(const std::string& name, const std::vector<Point>& rows, Report& report) {
-    const subject::Crust medax = subject::power_crust(rows);
+void compare(const std::string& name, const std::vector<Point>& rows, bool round_poles, Report& report) {
+    const subject::Crust medax = subject::power_crust(rows, round_poles);
     std::string text = std::to_string(medax.poles.pole_of_sample.size()) + " samples, " + std::to_string(medax.poles.balls.size()) + " poles, " +
                        std::to_string(medax.facets.size()) + " facets";
     std::string wrong = wrong_poles(medax.poles);
@@ -63,7 +65,7 @@ void compare(const std::string& name, const std::vector<Point>& rows, Report& re
         if (wrong.empty() && !reference::is_flat(centres)) wrong = "the poles do not lie in a plane, as medax says";
         return report.line(wrong.empty(), name, wrong.empty() ? text + " in a plane" : text + ": " + wrong);
     }
-    if (wrong.empty()) wrong = wrong_crust(medax);
+    if (wrong.empty()) wrong = wrong_crust(medax, round_poles);
     const Solid solid = load_into_openmesh(medax.surface_vertices, medax.surface_triangles);
     text += ", Euler characteristic " + std::to_string(solid.euler_characteristic);
     if (medax.forced != 0) text += ", " + std::to_string(medax.forced) + " forced";
@@ -78,8 +80,12 @@ void compare(const std::string& name, const std::vector<Point>& rows, Report& re
 
 int main() {
     Report report;
-    for (const Cloud& cloud : plain_clouds()) compare(cloud.name, cloud.rows, report);
-    for (const Model& shape : shapes()) compare(shape.name, shape.points, report);
-    for (const Model& model : models(50000)) compare(model.name, model.points, report);
+    for (const Cloud& cloud : plain_clouds()) compare(cloud.name, cloud.rows, false, report);
+    for (const Model& shape : shapes()) {
+        compare(shape.name, shape.points, false, report);
+        compare(shape.name + ", rounded", shape.points, true, report);
+    }
+    for (const Cloud& cloud : plain_clouds()) compare(cloud.name + ", rounded", cloud.rows, true, report);
+    for (const Model& model : models(50000)) compare(model.name, model.points, false, report);
     return report.finish("power crusts like CGAL's, closed in OpenMesh");
 }

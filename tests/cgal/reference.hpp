@@ -53,4 +53,14 @@ struct Poles {
 Poles poles(const std::vector<Point>& points, std::size_t sample_count, const std::vector<Cell>& cells,
             const std::vector<Point>& directions);
 
+// Balls on a grid: each centre moved to the nearest multiple of 2^-36 of the least power of two that the longest side of
+// the samples' box does not exceed; its weight the squared distance to the least sample that has the
+// ball as a pole, as the nearest double, then as the nearest multiple of the squared step.
+struct Rounded {
+    std::vector<Point> centres;
+    std::vector<double> weights;
+};
+Rounded rounded(const std::vector<Point>& centres, const std::vector<Point>& samples,
+                const std::vector<std::array<std::uint32_t, 2>>& pole_of_sample);
+
 }  // namespace reference

@@ -167,4 +167,29 @@ Poles poles(const std::vector<Point>& points, std::size_t sample_count, const st
     return result;
 }
 
+Rounded rounded(const std::vector<Point>& centres, const std::vector<Point>& samples,
+                const std::vector<std::array<std::uint32_t, 2>>& pole_of_sample) {
+    double side = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto less = [axis](const Point& p, const Point& q) { return p[axis] < q[axis]; };
+        const auto [least, most] = std::minmax_element(samples.begin(), samples.end(), less);
+        side = std::max(side, (*most)[axis] - (*least)[axis]);
+    }
+    int exponent = 0;
+    while (std::ldexp(1, exponent) < side) ++exponent;
+    while (std::ldexp(1, exponent - 1) >= side) --exponent;
+    const double step = std::ldexp(1, exponent - 36);
+    const auto multiple = [](double x, double of) { return std::nearbyint(x / of) * of; };
+    Rounded result;
+    for (const Point& p : centres) result.centres.push_back({multiple(p[0], step), multiple(p[1], step), multiple(p[2], step)});
+    result.weights.resize(centres.size());
+    for (std::size_t s = samples.size(); s-- > 0;)
+        for (std::uint32_t pole : pole_of_sample[s]) {
+            if (pole == none) continue;
+            const Exact::FT square = CGAL::squared_distance(at<Exact>(result.centres[pole]), at<Exact>(samples[s]));
+            result.weights[pole] = multiple(nearest(square), step * step);
+        }
+    return result;
+}
+
 }  // namespace reference

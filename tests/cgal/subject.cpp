@@ -84,12 +84,14 @@ Poles poles(const std::vector<Point>& samples) {
     return copy(medax::Poles::of(medax::Dual::of(medax::Triangulation::delaunay(points))));
 }
 
-Crust power_crust(const std::vector<Point>& samples) {
+Crust power_crust(const std::vector<Point>& samples, bool round_poles) {
     const auto poles = medax::Poles::with_far_box(medax::Points::from(samples));
     Crust crust;
     crust.poles = copy(poles);
+    medax::PowerCrustOptions options;
+    options.round_poles = round_poles;
     try {
-        finish(crust, medax::PowerCrust::of(poles));
+        finish(crust, medax::PowerCrust::of(poles, options));
     } catch (const medax::Error& error) {
         if (error.status() != MEDAX_STATUS_DEGENERATE && error.status() != MEDAX_STATUS_TOO_FEW_POINTS) throw;
         crust.solid = false;

@@ -60,6 +60,6 @@ struct Crust {
     std::vector<std::array<std::uint32_t, 3>> surface_triangles;
 };
 
-Crust power_crust(const std::vector<Point>& samples);
+Crust power_crust(const std::vector<Point>& samples, bool round_poles);
 
 }  // namespace subject

@@ -2,6 +2,7 @@
 
 use crate::Place;
 use medax::complex::Element;
+use medax::crust::PowerCrustOptions;
 use medax::points::PointsOptions;
 use medax::sample::{SampleOptions, Shape, sample};
 use medax::{Job, Poles, PowerCrust, Triangulation, io};
@@ -108,6 +109,27 @@ fn a_torus_goes_from_samples_to_a_solid() {
     assert!(distances["b_to_a"]["rms"].as_f64() >= distances["b_to_a"]["mean"].as_f64());
     assert!((distances["diagonal"].as_f64().unwrap() - 4.03).abs() < 0.02);
     assert_eq!(compared["input_b"]["path"], "crust.ply");
+}
+
+#[test]
+fn poles_are_rounded_where_that_is_asked_for() {
+    let place = Place::new();
+    place.shape(Shape::Torus, "in.ply");
+    let exact = place.json("crust in.ply -o exact.ply --validate");
+    let rounded = place.json("crust in.ply -o rounded.ply --round-poles --validate");
+    assert_eq!(exact["parameters"]["round_poles"], false);
+    assert_eq!(rounded["parameters"]["round_poles"], true);
+    let topology = |report: &Value| report["outputs"][0]["topology"].clone();
+    assert_eq!(topology(&exact)["genus"], 1);
+    assert_eq!(topology(&rounded)["genus"], 1);
+    let job = Job::default();
+    let points =
+        Arc::new(io::read_points(place.path("in.ply"), PointsOptions::default(), &job).unwrap());
+    let options = PowerCrustOptions { round_poles: true, ..Default::default() };
+    let crust = PowerCrust::build(&points, options, &job).unwrap();
+    let read = |name: &str| io::read_complex(place.path(name), &job).unwrap();
+    assert_eq!(read("rounded.ply").vertices(), crust.surface().vertices());
+    assert_ne!(read("exact.ply").vertices(), crust.surface().vertices());
 }
 
 #[test]

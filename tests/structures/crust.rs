@@ -1,9 +1,10 @@
 //! Power crusts of shapes whose answer is known, and of sets that have none.
 
 use crate::sets::{self, Random, Set};
+use medax::complex::{Element, Values};
 use medax::crust::{Label, PowerCrustOptions};
 use medax::dual::{Dual, DualOptions};
-use medax::{Job, JobOptions, Points, Poles, PowerCrust, Status};
+use medax::{Job, JobOptions, NONE, Points, Poles, PowerCrust, Status};
 use std::sync::Arc;
 
 fn points(rows: &[[f64; 3]]) -> Arc<Points> {
@@ -12,6 +13,12 @@ fn points(rows: &[[f64; 3]]) -> Arc<Points> {
 
 fn crust(rows: &[[f64; 3]]) -> PowerCrust {
     let options = PowerCrustOptions::default();
+    PowerCrust::build(&points(rows), options, &Job::default()).unwrap()
+}
+
+/// The power crust of the poles' balls on a grid.
+fn rounded(rows: &[[f64; 3]]) -> PowerCrust {
+    let options = PowerCrustOptions { round_poles: true, ..Default::default() };
     PowerCrust::build(&points(rows), options, &Job::default()).unwrap()
 }
 
@@ -97,27 +104,30 @@ fn two_spheres_one_within_the_other_are_a_shell() {
 #[test]
 fn every_kind_of_set_gives_a_closed_surface() {
     for Set { name, rows } in sets::all(300) {
-        let crust = crust(&rows);
-        assert_valid(&crust, name);
-        let topology = crust.surface().topology(&Job::default()).unwrap();
-        // Between two lines there is no solid: no pole is inner.
-        assert_eq!(topology.closed, name != "two lines", "{name}: {topology:?}");
-        assert_eq!(topology.nonmanifold_edges, 0, "{name}");
-        assert_eq!(topology.nonmanifold_vertices, 0, "{name}");
+        for crust in [crust(&rows), rounded(&rows)] {
+            assert_valid(&crust, name);
+            let topology = crust.surface().topology(&Job::default()).unwrap();
+            // Between two lines there is no solid: no pole is inner.
+            assert_eq!(topology.closed, name != "two lines", "{name}: {topology:?}");
+            assert_eq!(topology.nonmanifold_edges, 0, "{name}");
+            assert_eq!(topology.nonmanifold_vertices, 0, "{name}");
+        }
     }
 }
 
 #[test]
 fn the_order_of_rows_decides_nothing() {
     for Set { name, rows } in sets::all(250) {
-        let first = crust(&rows);
         let order = sets::shuffled(rows.len(), 9);
-        let second = crust(&order.iter().map(|&i| rows[i]).collect::<Vec<_>>());
-        assert!(first.poles().balls() == second.poles().balls(), "{name}");
-        assert!(first.labels() == second.labels(), "{name}");
-        assert!(first.surface() == second.surface(), "{name}");
-        assert!(first.inner_shape() == second.inner_shape(), "{name}");
-        assert!(first.outer_shape() == second.outer_shape(), "{name}");
+        let shuffled: Vec<_> = order.iter().map(|&i| rows[i]).collect();
+        for build in [crust, rounded] {
+            let [first, second] = [build(&rows), build(&shuffled)];
+            assert!(first.poles().balls() == second.poles().balls(), "{name}");
+            assert!(first.labels() == second.labels(), "{name}");
+            assert!(first.surface() == second.surface(), "{name}");
+            assert!(first.inner_shape() == second.inner_shape(), "{name}");
+            assert!(first.outer_shape() == second.outer_shape(), "{name}");
+        }
     }
 }
 
@@ -183,10 +193,133 @@ fn what_each_stage_leaves_is_counted() {
     assert!(of_all > least, "{of_all} of {least}");
 }
 
+/// What the option promises of the balls, and that without it they are the poles'.
+fn assert_rounded(crust: &PowerCrust, step: f64, name: &str) {
+    let (poles, regular) = (crust.poles(), crust.regular());
+    let mut own = vec![u32::MAX; poles.len()];
+    for (sample, pair) in poles.pole_of_sample().iter().enumerate() {
+        for &pole in pair.iter().filter(|&&pole| pole != NONE) {
+            own[pole as usize] = own[pole as usize].min(sample as u32);
+        }
+    }
+    let mut moved = 0;
+    for (vertex, &pole) in regular.row_of_vertex().iter().enumerate() {
+        let (ball, center) = (poles.balls()[pole as usize], regular.coords()[vertex]);
+        for k in 0..3 {
+            assert_eq!((center[k] / step).fract(), 0.0, "{name}, pole {pole}");
+            assert!((center[k] - ball[k]).abs() <= 0.5 * step, "{name}, pole {pole}");
+        }
+        moved += u32::from(center != ball[..3]);
+        let weight = regular.weights()[vertex];
+        assert_eq!((weight / step / step).fract(), 0.0, "{name}, pole {pole}");
+        let sample = poles.triangulation().coords()[own[pole as usize] as usize];
+        let square: f64 = (0..3).map(|k| (center[k] - sample[k]).powi(2)).sum();
+        let error = (weight - square).abs();
+        assert!(error <= step * step + 4.0 * f64::EPSILON * square, "{name}, pole {pole}");
+    }
+    assert!(2 * moved > poles.len() as u32, "{name}: {moved} of {} poles moved", poles.len());
+    for shape in [crust.inner_shape(), crust.outer_shape()] {
+        let values = |name| shape.attribute(Element::Vertex, name).unwrap().values().clone();
+        let (Values::F64(radii), Values::U32(of)) = (values("radius"), values("pole")) else {
+            panic!("{name}: attributes of other types");
+        };
+        for ((center, radius), pole) in shape.vertices().iter().zip(radii).zip(of) {
+            let vertex = regular.points().vertex_of_row()[pole as usize] as usize;
+            assert_eq!(*center, regular.coords()[vertex], "{name}, pole {pole}");
+            assert_eq!(radius, regular.weights()[vertex].sqrt(), "{name}, pole {pole}");
+        }
+    }
+}
+
+#[test]
+fn rounding_moves_balls_by_half_a_step_and_keeps_their_samples() {
+    let mut random = Random(17);
+    let mut shell: Vec<_> = (0..900).map(|_| random.sphere()).collect();
+    shell.extend((0..500).map(|_| random.sphere().map(|x| 0.5 * x)));
+    let torus = torus(2.0, 0.75, (60, 30));
+    // Their longest sides are between 4 and 8, and between 1 and 2.
+    for (name, rows, side) in [("torus", torus, 8.0), ("shell", shell, 2.0)] {
+        for scale in [1.0, 2f64.powi(-30), 2f64.powi(90)] {
+            let rows: Vec<_> = rows.iter().map(|p| p.map(|x| scale * x)).collect();
+            let (exact, rounded) = (crust(&rows), rounded(&rows));
+            assert_valid(&rounded, name);
+            assert_rounded(&rounded, scale * side * 2f64.powi(-36), name);
+            assert!(exact.poles().balls() == rounded.poles().balls(), "{name}");
+            let topology = |crust: &PowerCrust| {
+                let topology = crust.surface().topology(&Job::default()).unwrap();
+                (topology.closed, topology.components, topology.genus)
+            };
+            assert_eq!(topology(&exact), topology(&rounded), "{name}");
+            assert!(exact.labels() == rounded.labels(), "{name}");
+            // Without the option nothing moves.
+            for (vertex, &pole) in exact.regular().row_of_vertex().iter().enumerate() {
+                assert_eq!(
+                    exact.regular().coords()[vertex],
+                    exact.poles().balls()[pole as usize][..3]
+                );
+            }
+            assert!(exact.options() != rounded.options());
+        }
+    }
+}
+
+#[test]
+fn the_step_is_that_of_a_power_of_two() {
+    // The longest side is 4, a power of two itself, then an ulp more.
+    for (side, step) in [(4.0, 4.0), (4.0 + 4.0 * f64::EPSILON, 8.0)] {
+        let mut random = Random(23);
+        let mut rows: Vec<_> = (0..400).map(|_| random.sphere()).collect();
+        rows.extend([[-1.0, 0.0, 0.0], [side - 1.0, 0.0, 0.0]]);
+        assert_rounded(&rounded(&rows), step * 2f64.powi(-36), "sphere and a point");
+    }
+}
+
+#[test]
+fn rounded_poles_at_one_place_are_one() {
+    // The faces of a cube, each sample moved by some 1e-13: what were one pole are several.
+    let mut random = Random(31);
+    let rows: Vec<_> = (0..343u32)
+        .map(|i| [i % 7, i / 7 % 7, i / 49])
+        .filter(|row| row.iter().any(|&x| x == 0 || x == 6))
+        .map(|row| row.map(|x| f64::from(x) + 1e-13 * random.unit()))
+        .collect();
+    let crust = rounded(&rows);
+    assert_valid(&crust, "cube");
+    let regular = crust.regular();
+    let merged: Vec<u32> = (0..crust.poles().len() as u32)
+        .filter(|&p| regular.points().duplicate_of()[p as usize] != NONE)
+        .collect();
+    assert!(merged.len() > 100, "{} poles share a place", merged.len());
+    let mut lighter = 0;
+    for pole in merged {
+        let vertex = regular.points().vertex_of_row()[pole as usize] as usize;
+        lighter += u32::from(regular.row_of_vertex()[vertex] != pole);
+        assert!(crust.is_visible(pole) <= (regular.row_of_vertex()[vertex] == pole));
+    }
+    assert!(lighter > 0);
+}
+
+#[test]
+fn rounding_far_away_and_at_the_edge_of_the_range_is_sound() {
+    let rows = torus(2.0, 0.75, (40, 24));
+    // Coordinates themselves are coarser than the grid.
+    let moved: Vec<_> = rows.iter().map(|p| p.map(|x| x + 2f64.powi(22))).collect();
+    let far = rounded(&moved);
+    assert_valid(&far, "far");
+    let exact = crust(&moved);
+    assert!(far.regular().coords() == exact.regular().coords());
+    // The grid is that of the least coordinates, some hundred steps to the torus.
+    let least = 2f64.powi(-160);
+    let tiny: Vec<_> = rows.iter().map(|p| p.map(|x| (64.0 * x).round() * least)).collect();
+    let tiny = rounded(&tiny);
+    assert_valid(&tiny, "tiny");
+    assert_rounded(&tiny, least, "tiny");
+}
+
 #[test]
 fn bad_input_is_an_error() {
     let build = |rows: &[[f64; 3]], deep| {
-        let options = PowerCrustOptions { deep };
+        let options = PowerCrustOptions { deep, ..Default::default() };
         PowerCrust::build(&points(rows), options, &Job::default()).unwrap_err().status()
     };
     let plane: Vec<_> = (0..60).map(|i| [f64::from(i % 8), f64::from(i / 8), 0.0]).collect();
@@ -227,9 +360,10 @@ fn without_an_inner_pole_the_surface_is_empty() {
 }
 
 /// Everything that a crust is made of, as text: floats are written so that they differ if any bit does.
-fn described(rows: &[[f64; 3]], threads: usize) -> String {
+fn described(rows: &[[f64; 3]], round_poles: bool, threads: usize) -> String {
     let job = Job::new(JobOptions { threads, ..Default::default() });
-    let crust = PowerCrust::build(&points(rows), PowerCrustOptions::default(), &job).unwrap();
+    let options = PowerCrustOptions { round_poles, ..Default::default() };
+    let crust = PowerCrust::build(&points(rows), options, &job).unwrap();
     let (poles, regular) = (crust.poles(), crust.regular());
     let dual = Dual::new(poles.triangulation(), DualOptions { facets: true }, &job).unwrap();
     let of_poles = (poles.balls(), poles.radii_squared(), poles.cell_of_pole(), poles.normals());
@@ -237,7 +371,7 @@ fn described(rows: &[[f64; 3]], threads: usize) -> String {
     let shapes = [crust.surface(), crust.inner_shape(), crust.outer_shape()];
     format!(
         "{dual:?} {of_poles:?} {of_samples:?} {:?} {shapes:?}",
-        (regular.cells(), crust.labels())
+        (regular.coords(), regular.weights(), regular.cells(), crust.labels())
     )
 }
 
@@ -255,9 +389,12 @@ fn threads_change_no_bit() {
     let mut sets = sets::all(120);
     sets.push(Set { name: "ellipsoid", rows });
     for Set { name, rows } in sets {
-        let one = described(&rows, 1);
-        for threads in [2, 3, 8] {
-            assert!(described(&rows, threads) == one, "{name}, {threads} threads");
+        for round_poles in [false, true] {
+            let one = described(&rows, round_poles, 1);
+            for threads in [2, 3, 8] {
+                let many = described(&rows, round_poles, threads);
+                assert!(many == one, "{name}, {threads} threads, {round_poles}");
+            }
         }
     }
 }

@@ -33,6 +33,9 @@ pub struct Options {
     /// their spheres exceeds this; from 90 to 180, by default 113.58, which is arccos(-0.4)
     #[arg(long, allow_negative_numbers = true, value_name = "DEGREES")]
     deep_degrees: Option<f64>,
+    /// Round the centres of the poles' balls to a grid, 2^-36 of the size of the sample, which is faster
+    #[arg(long)]
+    round_poles: bool,
     #[command(flatten)]
     validate: ValidateOptions,
 }
@@ -56,18 +59,19 @@ impl Side {
 
 pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> {
     options.output.check(&[&options.shape, &options.poles])?;
-    let asked = match options.deep_degrees {
+    let mut asked = match options.deep_degrees {
         None => PowerCrustOptions::default(),
         Some(degrees) if (90.0..=180.0).contains(&degrees) => {
             // The cosine of 90 degrees comes out as 6e-17.
             let deep = (-libm::cos(degrees * (PI / 180.0))).clamp(0.0, 1.0);
-            PowerCrustOptions { deep }
+            PowerCrustOptions { deep, ..PowerCrustOptions::default() }
         }
         Some(degrees) => {
             let message = format!("--deep-degrees must lie between 90 and 180, not {degrees}");
             return Err(Failure::usage(message));
         }
     };
+    asked.round_poles = options.round_poles;
     let soup = session.read(&options.input)?;
     let (points, input) = session.points(&options.input, &soup, &options.read)?;
     drop(soup);
@@ -78,6 +82,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     let degrees = libm::acos(-asked.deep) * (180.0 / PI);
     for (name, value) in [
         ("deep_degrees", json!(options.deep_degrees.unwrap_or(degrees))),
+        ("round_poles", json!(options.round_poles)),
         ("triangles", json!(options.triangles)),
         ("side", json!(options.side.name())),
     ] {
