@@ -25,7 +25,9 @@
 //! of the product with the fourth, and 2 of the sums of four. (Where q.l is the square, it goes
 //! through them where the minor of z, l would.) Fused operations round less often. So the bound is
 //! 408 u X Y Z M here too, with the maxima over all rows in the lane's determinant; we take them over
-//! all of the cell's rows and q_i. The l of the vertex at infinity is the M of some other row, and
+//! all of the cell's rows and q_i. With S the largest x^2 + y^2 + z^2, X Y Z is at most S^(3/2); that is looser, but
+//! takes fewer steps. They round 9 times at most (4 for S^(3/2) by the square, 4 by M, and 1): that is covered as in [`super::lifted`].
+//! The l of the vertex at infinity is the M of some other row, and
 //! not rounded. In the orientations, 8 roundings and 6 terms make 48 u X Y Z, as in [`super::orient`].
 
 use super::lanes::Lanes;
@@ -86,8 +88,6 @@ pub(crate) struct Neighbors {
     pub unsure: u32,
     /// The determinants above: positive for a conflict.
     pub determinants: [f64; 4],
-    /// X Y Z M.
-    pub products: [f64; 4],
 }
 
 /// Tests whether a point is in conflict with the neighbours of a positively oriented cell.
@@ -103,16 +103,16 @@ pub(crate) fn neighbors_in_conflict<L: Lanes, S: Site>(
 ) -> Neighbors {
     let [x, y, z] = differences::<L, S>(cell, point);
     let [qx, qy, qz] = differences::<L, S>(opposite, point);
-    let (l, m) = lifts(cell, [x, y, z], point);
-    let (ql, qm) = lifts(opposite, [qx, qy, qz], point);
+    let [s, l, m] = lifts(cell, [x, y, z], point);
+    let [qs, ql, qm] = lifts(opposite, [qx, qy, qz], point);
     // At most one vertex of a cell is at infinity, so two lanes further there is a finite one.
     let finite = m.turned::<2>();
     let (l, m) = (L::select(infinite[0], finite, l), L::select(infinite[0], finite, m));
     let (ql, qm) = (L::select(infinite[1], m, ql), L::select(infinite[1], m, qm));
 
-    let product = x.abs().largest().max(qx.abs()).mul(y.abs().largest().max(qy.abs()));
-    let product = product.mul(z.abs().largest().max(qz.abs()).mul(m.largest().max(qm)));
-    let bound = product.mul_add(L::splat(MAXIMUM_BOUND), L::splat(TINY));
+    let s = s.largest().max(qs);
+    let m = if S::WEIGHTED { m.largest().max(qm) } else { s };
+    let bound = s.mul(s.sqrt()).mul(m).mul_add(L::splat(MAXIMUM_BOUND), L::splat(TINY));
 
     let (next_xy, second_xy) = minors(x, y);
     let (next_zl, second_zl) = minors(z, l);
@@ -126,7 +126,6 @@ pub(crate) fn neighbors_in_conflict<L: Lanes, S: Site>(
         conflict: determinant.greater(bound),
         unsure: !determinant.abs().greater(bound) & 15,
         determinants: determinant.array(),
-        products: product.array(),
     }
 }
 
@@ -154,17 +153,17 @@ fn differences<L: Lanes, S: Site>(sites: [&S; 4], point: &S) -> [L; 3] {
     [x.sub(L::splat(px)), y.sub(L::splat(py)), z.sub(L::splat(pz))]
 }
 
-/// The lifted values l, and L of the bounds: the sums of the absolute values.
+/// The squares of the distances, the lifted values l, and L of the bounds: the sums of the absolute values.
 #[inline(always)]
-fn lifts<L: Lanes, S: Site>(sites: [&S; 4], [x, y, z]: [L; 3], point: &S) -> (L, L) {
+fn lifts<L: Lanes, S: Site>(sites: [&S; 4], [x, y, z]: [L; 3], point: &S) -> [L; 3] {
     let square = x.mul_add(x, y.mul_add(y, z.mul(z)));
     if !S::WEIGHTED {
-        return (square, square);
+        return [square; 3];
     }
     let [a, b, c, d] = sites;
     let weight = L::of([a.weight(), b.weight(), c.weight(), d.weight()]);
     let weight = weight.sub(L::splat(point.weight()));
-    (square.sub(weight), square.add(weight.abs()))
+    [square, square.sub(weight), square.add(weight.abs())]
 }
 
 /// The minors of the rows i, i + 1, and of the rows i, i + 2.
@@ -302,12 +301,23 @@ mod tests {
     }
 
     #[test]
-    fn new_cells_are_the_same_on_every_processor() {
-        let expected = [[9, 2, 3, 4], [9, 1, 4, 3], [9, 4, 1, 2], [9, 3, 2, 1]];
-        assert_eq!(Portable::cells_on_facets([1, 2, 3, 4], 9), expected);
+    fn cells_beyond_facets_and_packed_items_are_the_same_on_every_processor() {
+        fn check<L: Lanes>() {
+            let beyond = [[9, 2, 4, 3], [9, 1, 3, 4], [9, 4, 2, 1], [9, 3, 1, 2]];
+            for (slot, expected) in (0..).zip(beyond) {
+                assert_eq!(L::cell_beyond([1, 2, 3, 4], slot, 9), expected);
+            }
+            for bits in 0..16 {
+                let items = [10u32, 11, 12, 13];
+                let expected = (0..4).filter(|i| bits >> i & 1 == 1).map(|i| items[i]);
+                let packed = L::packed(items, bits);
+                assert!(expected.eq(packed[..bits.count_ones() as usize].iter().copied()));
+            }
+        }
+        check::<Portable>();
         #[cfg(target_arch = "x86_64")]
         if Processor::detect() == Processor::Avx2 {
-            assert_eq!(Avx2::cells_on_facets([1, 2, 3, 4], 9), expected);
+            check::<Avx2>();
         }
     }
 }

@@ -28,6 +28,7 @@ pub(crate) trait Lanes: Copy {
     fn abs(self) -> Self;
     /// The larger ones; no lane is a NaN.
     fn max(self, other: Self) -> Self;
+    fn sqrt(self) -> Self;
     /// In lane i what was in lane i + `BY`, modulo 4.
     fn turned<const BY: usize>(self) -> Self;
     /// Lanes 1 and 3 with the other sign.
@@ -38,9 +39,11 @@ pub(crate) trait Lanes: Copy {
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
     /// Bit i is set if lane i is greater than the other's.
     fn greater(self, other: Self) -> u32;
-    /// The four cells that a point makes with the facets of one that holds it. In row i first the point, then the vertices but
-    /// for the one in slot i; all have the cell's orientation.
-    fn cells_on_facets(cell: [u32; 4], point: u32) -> [[u32; 4]; 4];
+    /// The cell that a point makes with a facet of another cell, which lies on the other side of it: first the point, then the
+    /// vertices but for the one in the slot. It has the other cell's orientation.
+    fn cell_beyond(cell: [u32; 4], slot: u32, point: u32) -> [u32; 4];
+    /// Those of four items of four bytes whose bits are set, in order; what follows them is any of the items.
+    fn packed<T: Copy>(items: [T; 4], bits: u32) -> [T; 4];
 
     /// The largest of the four, four times.
     #[inline(always)]
@@ -49,6 +52,27 @@ pub(crate) trait Lanes: Copy {
         pairs.max(pairs.turned::<1>())
     }
 }
+
+/// The slots that [`Lanes::cell_beyond`] takes the vertices from; the first is replaced.
+pub(super) const BEYOND: [[usize; 4]; 4] = [[0, 1, 3, 2], [0, 0, 2, 3], [0, 3, 1, 0], [0, 2, 0, 1]];
+
+/// Where [`Lanes::packed`] takes the items from.
+pub(super) const PACKED: [[usize; 4]; 16] = {
+    let mut table = [[0; 4]; 16];
+    let mut bits = 0;
+    while bits < 16 {
+        let (mut item, mut count) = (0, 0);
+        while item < 4 {
+            if bits >> item & 1 == 1 {
+                table[bits][count] = item;
+                count += 1;
+            }
+            item += 1;
+        }
+        bits += 1;
+    }
+    table
+};
 
 /// Lanes for any processor.
 #[derive(Clone, Copy)]
@@ -120,6 +144,11 @@ impl Lanes for Portable {
     }
 
     #[inline(always)]
+    fn sqrt(self) -> Self {
+        Portable(self.0.map(f64::sqrt))
+    }
+
+    #[inline(always)]
     fn turned<const BY: usize>(self) -> Self {
         Portable(from_fn(|i| self.0[(i + BY) % 4]))
     }
@@ -146,7 +175,13 @@ impl Lanes for Portable {
     }
 
     #[inline(always)]
-    fn cells_on_facets([a, b, c, d]: [u32; 4], point: u32) -> [[u32; 4]; 4] {
-        [[point, b, c, d], [point, a, d, c], [point, d, a, b], [point, c, b, a]]
+    fn cell_beyond(cell: [u32; 4], slot: u32, point: u32) -> [u32; 4] {
+        let [_, b, c, d] = BEYOND[slot as usize & 3].map(|from| cell[from]);
+        [point, b, c, d]
+    }
+
+    #[inline(always)]
+    fn packed<T: Copy>(items: [T; 4], bits: u32) -> [T; 4] {
+        PACKED[bits as usize & 15].map(|from| items[from])
     }
 }

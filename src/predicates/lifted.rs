@@ -79,21 +79,26 @@ type Column = [f64; 4];
 /// `WEIGHTED`.
 #[inline(always)]
 pub(super) fn conflict<const WEIGHTED: bool>(points: [&[f64; 4]; 5]) -> Sign {
-    let (determinant, product) = floats::<WEIGHTED>(points);
-    if determinant.abs() > MAXIMUM_BOUND * product + TINY {
+    let determinant = determinant::<WEIGHTED>(points);
+    if determinant.abs() > MAXIMUM_BOUND * product::<WEIGHTED>(points) + TINY {
         stages::count(Stage::Maximum);
         return -Sign::of(determinant);
     }
-    processor::further::<WEIGHTED>(points, determinant, product)
+    processor::further::<WEIGHTED>(points, determinant)
 }
 
-/// The stages after the first, given its determinant and X Y Z M.
+/// [`conflict`] where a filter could not tell, given the determinant in floats: its bound may have been a looser one
+/// than the first here.
 #[inline(always)]
 pub(super) fn further<const WEIGHTED: bool, const FMA: bool>(
     points: [&[f64; 4]; 5],
     determinant: f64,
-    product: f64,
 ) -> Sign {
+    let product = product::<WEIGHTED>(points);
+    if determinant.abs() > MAXIMUM_BOUND * product + TINY {
+        stages::count(Stage::Maximum);
+        return -Sign::of(determinant);
+    }
     if on_grid::<WEIGHTED>(points, exact_step(product)) {
         stages::count(Stage::Grid);
         return -Sign::of(determinant);
@@ -116,18 +121,29 @@ pub(super) fn further<const WEIGHTED: bool, const FMA: bool>(
     -exact::lifted_space(points.map(position), WEIGHTED.then_some(&weights))
 }
 
-/// The determinant in floats, and X Y Z M.
+/// The columns x, y, z, l, and L of the bounds.
 #[inline(always)]
-pub(super) fn floats<const WEIGHTED: bool>(points: [&[f64; 4]; 5]) -> (f64, f64) {
+fn columns<const WEIGHTED: bool>(points: [&[f64; 4]; 5]) -> [Column; 5] {
     let [x, y, z, w] = differences(points);
     let square: Column = from_fn(|i| x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
-    let (lift, magnitude) = if WEIGHTED {
-        (from_fn(|i| square[i] - w[i]), from_fn(|i| square[i] + w[i].abs()))
-    } else {
-        (square, square)
-    };
-    let product = largest(x) * largest(y) * largest(z) * largest(magnitude);
-    (laplace::<false>([x, y, z, lift]), product)
+    match WEIGHTED {
+        true => [x, y, z, from_fn(|i| square[i] - w[i]), from_fn(|i| square[i] + w[i].abs())],
+        false => [x, y, z, square, square],
+    }
+}
+
+/// The determinant in floats.
+#[inline(always)]
+pub(super) fn determinant<const WEIGHTED: bool>(points: [&[f64; 4]; 5]) -> f64 {
+    let [x, y, z, l, _] = columns::<WEIGHTED>(points);
+    laplace::<false>([x, y, z, l])
+}
+
+/// X Y Z M.
+#[inline(always)]
+pub(super) fn product<const WEIGHTED: bool>(points: [&[f64; 4]; 5]) -> f64 {
+    let [x, y, z, _, magnitude] = columns::<WEIGHTED>(points);
+    largest(x) * largest(y) * largest(z) * largest(magnitude)
 }
 
 /// The permanent P in floats.

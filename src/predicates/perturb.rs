@@ -62,15 +62,14 @@ pub(crate) fn in_conflict<S: Site>(cell: [&S; 4], e: &S) -> bool {
     }
 }
 
-/// [`in_conflict`] where a filter could not tell: from its lifted determinant and X Y Z M, as in
-/// [`lifted`].
+/// [`in_conflict`] where a filter could not tell: from its lifted determinant, as in [`lifted`].
 #[cold]
-pub(crate) fn settle<S: Site>(cell: [&S; 4], e: &S, determinant: f64, product: f64) -> bool {
+pub(crate) fn settle<S: Site>(cell: [&S; 4], e: &S, determinant: f64) -> bool {
     let ([a, b, c, d], e) = (cell.map(S::row), e.row());
     let points = [&a, &b, &c, &d, &e];
     let sign = match S::WEIGHTED {
-        true => processor::further::<true>(points, determinant, product),
-        false => processor::further::<false>(points, determinant, product),
+        true => processor::further::<true>(points, determinant),
+        false => processor::further::<false>(points, determinant),
     };
     match sign {
         Sign::Zero => perturbed([&a, &b, &c, &d], &e),

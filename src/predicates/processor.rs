@@ -10,7 +10,7 @@ use super::sign::Sign;
 pub(crate) enum Processor {
     /// Every processor of the target.
     Any,
-    /// Processors with AVX2 and fused multiply-adds.
+    /// Processors with AVX2, fused multiply-adds and a population count.
     #[cfg(target_arch = "x86_64")]
     Avx2,
 }
@@ -20,7 +20,10 @@ impl Processor {
     #[inline]
     pub fn detect() -> Self {
         #[cfg(target_arch = "x86_64")]
-        if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
+        if is_x86_feature_detected!("avx2")
+            && is_x86_feature_detected!("fma")
+            && is_x86_feature_detected!("popcnt")
+        {
             return Processor::Avx2;
         }
         Processor::Any
@@ -39,7 +42,7 @@ mod avx2 {
     //! over lanes, and that with `Avx2` only in functions compiled for these features, which can
     //! be called only where [`super::Processor::detect`] has found them.
 
-    use super::super::lanes::Lanes;
+    use super::super::lanes::{BEYOND, Lanes, PACKED};
     use std::arch::x86_64::*;
 
     /// Four floats in a register.
@@ -123,6 +126,11 @@ mod avx2 {
         }
 
         #[inline(always)]
+        fn sqrt(self) -> Self {
+            Avx2(avx2!(_mm256_sqrt_pd(self.0)))
+        }
+
+        #[inline(always)]
         fn turned<const BY: usize>(self) -> Self {
             Avx2(avx2!(match BY % 4 {
                 0 => self.0,
@@ -157,48 +165,61 @@ mod avx2 {
         }
 
         #[inline(always)]
-        fn cells_on_facets([a, b, c, d]: [u32; 4], point: u32) -> [[u32; 4]; 4] {
-            // SAFETY: the processor has AVX2; four registers of four numbers are four arrays of them.
+        fn cell_beyond(cell: [u32; 4], slot: u32, point: u32) -> [u32; 4] {
+            const BYTES: [__m128i; 4] = bytes_of(BEYOND);
+            // SAFETY: the processor has AVX2; four numbers are as large as a register for them.
             unsafe {
-                let cell = _mm_setr_epi32(a as i32, b as i32, c as i32, d as i32);
-                let point = _mm_set1_epi32(point as i32);
-                let cells = [
-                    _mm_blend_epi32::<1>(cell, point),
-                    _mm_blend_epi32::<1>(_mm_shuffle_epi32::<0b10_11_00_00>(cell), point),
-                    _mm_blend_epi32::<1>(_mm_shuffle_epi32::<0b01_00_11_00>(cell), point),
-                    _mm_blend_epi32::<1>(_mm_shuffle_epi32::<0b00_01_10_00>(cell), point),
-                ];
-                std::mem::transmute::<[__m128i; 4], [[u32; 4]; 4]>(cells)
+                let cell = std::mem::transmute::<[u32; 4], __m128i>(cell);
+                let turned = _mm_shuffle_epi8(cell, BYTES[slot as usize & 3]);
+                let cell = _mm_blend_epi32::<1>(turned, _mm_set1_epi32(point as i32));
+                std::mem::transmute::<__m128i, [u32; 4]>(cell)
             }
         }
+
+        #[inline(always)]
+        fn packed<T: Copy>(items: [T; 4], bits: u32) -> [T; 4] {
+            const BYTES: [__m128i; 16] = bytes_of(PACKED);
+            const { assert!(size_of::<T>() == 4) };
+            // SAFETY: the processor has AVX2; four items are as large as a register for them, and what comes out are
+            // whole items.
+            unsafe {
+                let items = std::mem::transmute_copy::<[T; 4], __m128i>(&items);
+                let packed = _mm_shuffle_epi8(items, BYTES[bits as usize & 15]);
+                std::mem::transmute_copy::<__m128i, [T; 4]>(&packed)
+            }
+        }
+    }
+
+    /// What brings the items of four bytes from the given places: the numbers of their bytes.
+    const fn bytes_of<const N: usize>(places: [[usize; 4]; N]) -> [__m128i; N] {
+        let mut bytes = [[0; 16]; N];
+        let mut i = 0;
+        while i < 16 * N {
+            bytes[i / 16][i % 16] = (4 * places[i / 16][i % 16 / 4] + i % 4) as u8;
+            i += 1;
+        }
+        // SAFETY: sixteen bytes are as large as a register for them.
+        unsafe { std::mem::transmute_copy::<[[u8; 16]; N], [__m128i; N]>(&bytes) }
     }
 }
 
 /// [`lifted::further`] as fast as the processor can.
 #[cold]
 #[inline(never)]
-pub(crate) fn further<const WEIGHTED: bool>(
-    points: [&[f64; 4]; 5],
-    determinant: f64,
-    product: f64,
-) -> Sign {
+pub(crate) fn further<const WEIGHTED: bool>(points: [&[f64; 4]; 5], determinant: f64) -> Sign {
     #[cfg(target_arch = "x86_64")]
     if Processor::detect() == Processor::Avx2 {
         // SAFETY: the processor has every feature that the function is compiled for; there is no other
         // condition.
-        return unsafe { further_by_fma::<WEIGHTED>(points, determinant, product) };
+        return unsafe { further_by_fma::<WEIGHTED>(points, determinant) };
     }
-    lifted::further::<WEIGHTED, false>(points, determinant, product)
+    lifted::further::<WEIGHTED, false>(points, determinant)
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma")]
-fn further_by_fma<const WEIGHTED: bool>(
-    points: [&[f64; 4]; 5],
-    determinant: f64,
-    product: f64,
-) -> Sign {
-    lifted::further::<WEIGHTED, true>(points, determinant, product)
+fn further_by_fma<const WEIGHTED: bool>(points: [&[f64; 4]; 5], determinant: f64) -> Sign {
+    lifted::further::<WEIGHTED, true>(points, determinant)
 }
 
 #[cfg(test)]
@@ -229,10 +250,10 @@ mod tests {
                 (lifted::pairs::<true, false>(rows), lifted::pairs::<true, true>(rows));
             prop_assert_eq!(plain, fused);
             // From the stages after the first, too.
-            let (determinant, product) = lifted::floats::<true>(rows);
+            let determinant = lifted::determinant::<true>(rows);
             prop_assert_eq!(
-                further::<true>(rows, determinant, product),
-                lifted::further::<true, false>(rows, determinant, product)
+                further::<true>(rows, determinant),
+                lifted::further::<true, false>(rows, determinant)
             );
         }
     }

@@ -11,17 +11,6 @@ use crate::predicates::{Sign, in_conflict, orient3d, settle, stages};
 /// Cells between two looks at the job.
 const TICK: usize = 1024;
 
-/// A facet between a cell in conflict and one that is not.
-#[derive(Clone, Copy, Default)]
-#[repr(align(32))]
-pub(super) struct BoundaryFacet {
-    /// The new cell on it: the new point, and the facet's vertices, which turn counterclockwise seen from
-    /// the point.
-    pub vertices: [u32; 4],
-    /// The facet as its outer cell names it.
-    pub outer: Facet,
-}
-
 /// What a search has found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Found {
@@ -38,7 +27,7 @@ pub(super) enum Found {
 pub(super) struct Cavity {
     cells: Vec<Cell>,
     cell_count: usize,
-    boundary: Vec<BoundaryFacet>,
+    boundary: Vec<Facet>,
     facet_count: usize,
 }
 
@@ -48,8 +37,8 @@ impl Cavity {
         &self.cells[..self.cell_count]
     }
 
-    /// The facets round them.
-    pub fn boundary(&self) -> &[BoundaryFacet] {
+    /// The facets round them, as the cells outside name them.
+    pub fn boundary(&self) -> &[Facet] {
         &self.boundary[..self.facet_count]
     }
 
@@ -57,7 +46,7 @@ impl Cavity {
     /// boundary. `SHARED` if there are other patches.
     ///
     /// Two cells of the queue are tested at a time where there are as many: the processor then works on
-    /// one while it waits for the other. Errors: [`crate::Status::Cancelled`].
+    /// one while it waits for the other. Meanwhile memory fetches what the next two will need. Errors: [`crate::Status::Cancelled`].
     #[inline(always)]
     pub fn search<L: Lanes, S: Site, const SHARED: bool>(
         &mut self,
@@ -80,6 +69,9 @@ impl Cavity {
             self.make_room(start);
             if next % TICK < 2 {
                 run.poll()?;
+            }
+            for ahead in [2, 3] {
+                patch.fetch_around(self.cells[(next + ahead).min(self.cell_count - 1)]);
             }
             let cell = self.cells[next];
             let of_cell = test::<L, S>(patch, sites, cell, point);
@@ -123,7 +115,7 @@ impl Cavity {
         let cells = 2 * self.cell_count + 64;
         self.cells.resize(self.cells.len().max(cells), any);
         let facets = 2 * self.facet_count + 64;
-        self.boundary.resize(self.boundary.len().max(facets), BoundaryFacet::default());
+        self.boundary.resize(self.boundary.len().max(facets), Facet::default());
     }
 
     /// Divides a cell's neighbours into the cavity and what lies round it. Without branches on what
@@ -146,8 +138,8 @@ impl Cavity {
             conflict |= settle_unsure(patch.reborrow(), sites, vertex, facets, unsure, tests);
         }
         let inside = conflict | known;
-        let vertices = patch.vertices(cell);
         if SHARED {
+            let vertices = patch.vertices(cell);
             // A neighbour has the vertices of the facet, and the one opposite.
             let own = bits(|i| patch.owns_vertex(vertices[i]));
             let of_facet = |i: usize| (own & !(1 << i)).count_ones();
@@ -156,19 +148,14 @@ impl Cavity {
                 return false;
             }
         }
-        let new_cells = L::cells_on_facets(vertices, vertex);
-        let cells: &mut [Cell; 4] = window(&mut self.cells, self.cell_count);
-        let boundary: &mut [BoundaryFacet; 4] = window(&mut self.boundary, self.facet_count);
-        let (mut added, mut outer) = (0, 0);
-        for i in 0..4 {
-            cells[added & 3] = facets[i].cell();
-            added += ((inside & !known) >> i & 1) as usize;
-            patch.set_mark(facets[i].cell(), inside >> i & 1 == 1);
-            boundary[outer & 3] = BoundaryFacet { vertices: new_cells[i], outer: facets[i] };
-            outer += (!inside >> i & 1) as usize;
+        for (i, facet) in facets.into_iter().enumerate() {
+            patch.set_mark(facet.cell(), inside >> i & 1 == 1);
         }
-        self.cell_count += added;
-        self.facet_count += outer;
+        let (added, outer) = (inside & !known, !inside & 15);
+        *window(&mut self.cells, self.cell_count) = L::packed(each(facets, Facet::cell), added);
+        *window(&mut self.boundary, self.facet_count) = L::packed(facets, outer);
+        self.cell_count += added.count_ones() as usize;
+        self.facet_count += outer.count_ones() as usize;
         true
     }
 }
@@ -195,7 +182,10 @@ pub(super) fn each<T, U>([a, b, c, d]: [T; 4], of: impl Fn(T) -> U) -> [U; 4] {
 #[inline(always)]
 fn test<L: Lanes, S: Site>(patch: &Patch<'_>, sites: &[S], cell: Cell, point: &S) -> Neighbors {
     let vertices = patch.vertices(cell);
-    let opposite = each(patch.neighbors(cell), |facet| patch.opposite(facet));
+    let facets = patch.neighbors(cell);
+    let opposite = each(facets, |facet| patch.opposite(facet));
+    // Those in conflict will be asked for their neighbours, the others given new ones.
+    each(facets, |facet| patch.fetch_neighbors(facet.cell()));
     // The point itself stands in for the vertex at infinity, which has no site.
     let site = |v: u32| sites.get(v as usize).unwrap_or(point);
     let infinite = [L::equal(vertices, patch.infinite()), L::equal(opposite, patch.infinite())];
@@ -224,7 +214,7 @@ fn settle_unsure<S: Site>(
         } else {
             let vertices = vertices.map(|v| &sites[v as usize]);
             // The filter's cells have the wrong orientation, and so its determinants the other sign.
-            settle(vertices, point, -tests.determinants[i], tests.products[i])
+            settle(vertices, point, -tests.determinants[i])
         }
     };
     bits(settled)

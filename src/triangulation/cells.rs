@@ -31,7 +31,7 @@
 #![allow(unsafe_code)]
 
 use crate::error::{Error, Result, Status};
-use crate::job::{Charge, Run};
+use crate::job::{Charge, Run, ask_for_large_pages};
 use std::marker::PhantomData;
 use std::mem::MaybeUninit;
 use std::ops::Range;
@@ -145,9 +145,11 @@ impl<'a> Cells<'a> {
             run,
             charges: Vec::new(),
         };
-        // A surface in general position has a little more than four cells a point, a volume
-        // nearly seven: the first guess serves surfaces, and volumes grow from it.
-        cells.grow(vertex_count.saturating_mul(9) / 2 + 64)?;
+        // A volume in general position has nearly seven cells a point, a surface a little more than four. What is
+        // not used is address space only; where even that is scarce, the arrays grow as they are filled.
+        let _ = cells.reserve(vertex_count.saturating_mul(15) / 2 + 64);
+        cells.charge(5)?;
+        cells.grow(5)?;
         cells.vertices.push(simplex);
         for facet in FACET {
             // The facet turned round: the vertex at infinity lies on its other side.
@@ -218,9 +220,8 @@ impl<'a> Cells<'a> {
     pub fn hand_out_to_all(&mut self, to: &mut [(usize, &mut Slots)]) -> Result<()> {
         let begin = self.len();
         let count = to.iter().map(|(count, _)| count).sum();
-        if self.vertices.capacity() < begin + count {
-            self.grow(count)?;
-        }
+        self.charge(count)?;
+        self.grow(count)?;
         if count < PIECE {
             self.vertices.resize(begin + count, [0; 4]);
             self.neighbors.resize(begin + count, [0; 4]);
@@ -253,7 +254,13 @@ impl<'a> Cells<'a> {
         Ok(())
     }
 
-    /// Makes room for `extra` more cells, and an eighth of all besides.
+    /// Counts so many more cells against the job's ceiling.
+    fn charge(&mut self, count: usize) -> Result<()> {
+        self.charges.push(self.run.charge((count * CELL_BYTES) as u64)?);
+        Ok(())
+    }
+
+    /// Makes room for `extra` more cells, and for an eighth of all besides if there is none.
     ///
     /// Errors: [`Status::LimitExceeded`] past [`CELL_LIMIT`], [`Status::OutOfMemory`].
     fn grow(&mut self, extra: usize) -> Result<()> {
@@ -265,9 +272,15 @@ impl<'a> Cells<'a> {
                 format!("the triangulation has more than {CELL_LIMIT} cells"),
             ));
         }
-        let capacity = needed.max(len + len / 8).min(CELL_LIMIT);
-        let added = capacity.saturating_sub(self.vertices.capacity());
-        self.charges.push(self.run.charge((added * CELL_BYTES) as u64)?);
+        if needed <= self.marks.capacity() {
+            return Ok(());
+        }
+        self.reserve(needed.max(len + len / 8))
+    }
+
+    /// Makes room for `capacity` cells in all.
+    fn reserve(&mut self, capacity: usize) -> Result<()> {
+        let (capacity, len) = (capacity.min(CELL_LIMIT), self.len());
         let refused = self.vertices.try_reserve_exact(capacity - len).is_err()
             || self.neighbors.try_reserve_exact(capacity - len).is_err()
             || self.marks.try_reserve_exact(capacity - len).is_err();
@@ -278,6 +291,9 @@ impl<'a> Cells<'a> {
                 format!("{bytes} bytes for cells are not to be had"),
             ));
         }
+        ask_for_large_pages(&mut self.vertices);
+        ask_for_large_pages(&mut self.neighbors);
+        ask_for_large_pages(&mut self.marks);
         Ok(())
     }
 
@@ -363,6 +379,20 @@ impl Patch<'_> {
         [Facet(a), Facet(b), Facet(c), Facet(d)]
     }
 
+    /// Fetches a cell's neighbours into the cache.
+    #[inline(always)]
+    pub fn fetch_neighbors(&self, cell: Cell) {
+        fetch(self.neighbors.wrapping_add(cell.index()));
+    }
+
+    /// Fetches the vertices of a cell's neighbours into the cache.
+    #[inline(always)]
+    pub fn fetch_around(&self, cell: Cell) {
+        for facet in self.neighbors(cell) {
+            fetch(self.vertices.wrapping_add(facet.cell().index()));
+        }
+    }
+
     /// The vertex opposite the facet, in the facet's own cell.
     #[inline(always)]
     pub fn opposite(&self, facet: Facet) -> u32 {
@@ -395,16 +425,19 @@ impl Patch<'_> {
         unsafe { AtomicU8::from_ptr(self.marks.add(cell.index())) }
     }
 
-    /// Fills a slot with a cell that the patch owns.
+    /// Gives a slot the vertices of a cell that the patch owns.
     #[inline(always)]
-    pub fn put(&mut self, cell: Cell, vertices: [u32; 4], [a, b, c, d]: [Facet; 4]) {
+    pub fn put_vertices(&mut self, cell: Cell, vertices: [u32; 4]) {
         debug_assert!(self.owns(vertices), "{vertices:?}");
         // SAFETY: a cell is within bounds; nobody else touches it, by rule 1.
-        unsafe {
-            self.vertices.add(cell.index()).write(vertices);
-            self.neighbors.add(cell.index()).write([a.0, b.0, c.0, d.0]);
-        }
-        self.set_mark(cell, false);
+        unsafe { self.vertices.add(cell.index()).write(vertices) }
+    }
+
+    /// Gives a cell that the patch owns its neighbours.
+    #[inline(always)]
+    pub fn put_neighbors(&mut self, cell: Cell, [a, b, c, d]: [Facet; 4]) {
+        // SAFETY: as for its vertices.
+        unsafe { self.neighbors.add(cell.index()).write([a.0, b.0, c.0, d.0]) }
     }
 
     /// Changes the neighbour across a facet, where a cell that the patch owns was and is.
@@ -432,4 +465,17 @@ impl Patch<'_> {
     pub fn infinite_slot(&self, vertices: [u32; 4]) -> Option<usize> {
         (0..4).find(|&i| vertices[i] == self.infinite)
     }
+}
+
+/// Asks the processor to have memory at hand that is needed soon.
+#[inline(always)]
+fn fetch<T>(at: *const T) {
+    #[cfg(target_arch = "x86_64")]
+    // SAFETY: every processor of the target has the instruction; a hint, which reads nothing.
+    unsafe {
+        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        _mm_prefetch::<_MM_HINT_T0>(at.cast());
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = at;
 }

@@ -3,7 +3,8 @@
 #![allow(unsafe_code)]
 
 use super::cavity::{Cavity, Found};
-use super::cells::{Cell, Patch};
+use super::cells::{Cell, Patch, Slots};
+use super::star::Star;
 use super::walk;
 use crate::job::Run;
 use crate::predicates::around::Site;
@@ -53,8 +54,40 @@ pub(super) fn search<S: Site, const SHARED: bool>(
     }
 }
 
+/// [`Star::fill`] as fast as the processor can.
+#[inline]
+pub(super) fn fill(
+    processor: Processor,
+    star: &mut Star,
+    cavity: &Cavity,
+    patch: &mut Patch<'_>,
+    slots: &mut Slots,
+    vertex: u32,
+) -> Cell {
+    match processor {
+        Processor::Any => star.fill::<Portable>(cavity, patch, slots, vertex),
+        #[cfg(target_arch = "x86_64")]
+        Processor::Avx2 => {
+            // SAFETY: as in `locate`.
+            unsafe { fill_avx2(star, cavity, patch, slots, vertex) }
+        }
+    }
+}
+
 #[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma")]
+#[target_feature(enable = "avx2,fma,popcnt")]
+fn fill_avx2(
+    star: &mut Star,
+    cavity: &Cavity,
+    patch: &mut Patch<'_>,
+    slots: &mut Slots,
+    vertex: u32,
+) -> Cell {
+    star.fill::<Avx2>(cavity, patch, slots, vertex)
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,fma,popcnt")]
 fn locate_avx2<S: Site, const SHARED: bool>(
     patch: &Patch<'_>,
     sites: &[S],
@@ -65,7 +98,7 @@ fn locate_avx2<S: Site, const SHARED: bool>(
 }
 
 #[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma")]
+#[target_feature(enable = "avx2,fma,popcnt")]
 fn search_avx2<S: Site, const SHARED: bool>(
     cavity: &mut Cavity,
     patch: &mut Patch<'_>,

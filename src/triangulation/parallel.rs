@@ -88,7 +88,7 @@ impl<'a, S: Site> Crew<'a, S> {
             }
             if worker.dig::<S, false>(&mut cells.whole(), sites, vertex, run)? == Dug::Cavity {
                 worker.provide(cells)?;
-                worker.fill(&mut cells.whole());
+                worker.fill(&mut cells.whole(), vertex);
             }
         }
         self.near = worker.near();

@@ -141,7 +141,7 @@ impl Worker {
                 Ok(false)
             }
             Dug::Cavity => {
-                self.fill(patch);
+                self.fill(patch, vertex);
                 self.walks[0] += 1;
                 if self.walks[0].is_multiple_of(ANCHOR_EVERY) {
                     self.anchors[self.walks[0] / ANCHOR_EVERY % ANCHORS] = self.near;
@@ -169,10 +169,11 @@ impl Worker {
         needed.saturating_sub(self.slots.len())
     }
 
-    /// Fills the cavity; there must be slots enough.
+    /// Fills the cavity of a vertex; there must be slots enough.
     #[inline]
-    pub fn fill(&mut self, patch: &mut Patch<'_>) {
-        self.near = self.star.fill(&self.cavity, patch, &mut self.slots);
+    pub fn fill(&mut self, patch: &mut Patch<'_>, vertex: u32) {
+        let Worker { processor, star, cavity, slots, .. } = self;
+        self.near = kernel::fill(*processor, star, cavity, patch, slots, vertex);
     }
 
     /// The slots that are left.

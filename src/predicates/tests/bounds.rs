@@ -3,8 +3,8 @@
 use super::sets::{KINDS, Random, five};
 use super::{CASES, lifted, rational};
 use crate::predicates::lifted::{
-    MAXIMUM_BOUND, PAIRS_BOUND, PERMANENT_BOUND, TINY, UNIT, exact_step, floats, on_grid, pairs,
-    permanent, zero_step,
+    MAXIMUM_BOUND, PAIRS_BOUND, PERMANENT_BOUND, TINY, UNIT, determinant, exact_step, on_grid,
+    pairs, permanent, product, zero_step,
 };
 use crate::predicates::{Sign, exact, position};
 use num_traits::{Signed, Zero};
@@ -19,7 +19,8 @@ fn stages<const WEIGHTED: bool>() -> [usize; 5] {
             let rows = five(&mut random, kind);
             let points = rows.each_ref();
             let value = lifted(&rows, WEIGHTED);
-            let (determinant, product) = floats::<WEIGHTED>(points);
+            let (determinant, product) =
+                (determinant::<WEIGHTED>(points), product::<WEIGHTED>(points));
             let error = (rational(determinant) - &value).abs();
             let bound = MAXIMUM_BOUND * product + TINY;
             assert!(error <= rational(bound), "floats, {kind}: {rows:?}");
