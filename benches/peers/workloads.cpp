@@ -68,17 +68,20 @@ Points lattice(std::size_t count, Random& random) {
     return points;
 }
 
-// The two poles of every sample, one weighted point for each Voronoi vertex that is chosen.
-Workload poles(const Points& samples, Random& random) {
-    const auto built = medax::Poles::with_far_box(medax::Points::from(samples));
-    std::vector<std::size_t> order(built.balls().rows());
+// The two poles of every sample, one weighted point for each Voronoi vertex that is chosen; as the power crust
+// takes them, rounded to its grid or not.
+Workload poles(const Points& samples, bool rounded, Random& random) {
+    medax::PowerCrustOptions options;
+    options.round_poles = rounded;
+    const auto built = medax::PowerCrust::of(medax::Points::from(samples), options).regular();
+    std::vector<std::size_t> order(built.coords().rows());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
     Workload result;
     for (std::size_t pole : order) {
-        const auto ball = built.balls()[pole];
-        result.points.push_back({ball[0], ball[1], ball[2]});
-        result.weights.push_back(built.radii_squared()[pole][0]);
+        const auto center = built.coords()[pole];
+        result.points.push_back({center[0], center[1], center[2]});
+        result.weights.push_back(built.weights()[pole][0]);
     }
     return result;
 }
@@ -86,8 +89,8 @@ Workload poles(const Points& samples, Random& random) {
 }  // namespace
 
 const std::vector<std::string>& workload_names() {
-    static const std::vector<std::string> names{"uniform",  "ellipsoid", "ellipsoid_noise", "lattice",
-                                                "weighted", "poles",     "poles_noise"};
+    static const std::vector<std::string> names{"uniform", "ellipsoid",     "ellipsoid_noise", "lattice",            "weighted",
+                                                "poles",   "poles_rounded", "poles_noise",     "poles_noise_rounded"};
     return names;
 }
 
@@ -107,10 +110,10 @@ Workload workload(const std::string& name, std::size_t count) {
         // Up to the square of the mean spacing.
         const double most = std::pow(static_cast<double>(count), -2.0 / 3);
         for (std::size_t i = 0; i < count; ++i) result.weights.push_back(most * random.unit());
-    } else if (name == "poles") {
-        result = poles(ellipsoid(count / 2, 0, random), random);
-    } else if (name == "poles_noise") {
-        result = poles(ellipsoid(count / 2, 0.005, random), random);
+    } else if (name == "poles" || name == "poles_rounded") {
+        result = poles(ellipsoid(count / 2, 0, random), name == "poles_rounded", random);
+    } else if (name == "poles_noise" || name == "poles_noise_rounded") {
+        result = poles(ellipsoid(count / 2, 0.005, random), name == "poles_noise_rounded", random);
     } else {
         throw std::invalid_argument("there is no workload '" + name + "'");
     }

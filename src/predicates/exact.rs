@@ -159,3 +159,26 @@ pub(super) fn area(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], axes: [usize; 2]) -
     let grid = Grid::of(&points, None);
     with_width!(grid, sign::<1, 2>(points, axes, &grid))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What a power crust rounds its poles to: 2^36 steps are the side of the sample's box, or up to twice
+    /// that, and poles lie within some ten boxes.
+    #[test]
+    fn one_limb_holds_differences_of_rounded_poles() {
+        let unit = 2f64.powi(-36);
+        let limbs = |size: f64| {
+            let corner =
+                |i: i32| [i & 1, i >> 1 & 1, i >> 2].map(|bit| f64::from(bit) * size + unit);
+            let points = [0, 1, 2, 4, 7].map(corner);
+            // The least weight not 0, and the most: the square of the diagonal.
+            let weights = [unit * unit, 3.0 * size * size, 0.0, size * size, unit * unit];
+            Grid::of(&points.each_ref(), Some(&weights)).limbs()
+        };
+        assert_eq!(limbs(16.0), 1);
+        assert_eq!(limbs(2f64.powi(23)), 1);
+        assert_eq!(limbs(2f64.powi(25)), 2);
+    }
+}

@@ -1,10 +1,10 @@
 //! Every stage has something to do, and is counted.
 
 use crate::sets::{KINDS, Random, five};
-use medax::poles::Poles;
+use medax::crust::PowerCrustOptions;
 use medax::predicates::regular_conflict;
 use medax::predicates::stages::{Stage, settled};
-use medax::{Job, Points, Triangulation};
+use medax::{Job, Points, Poles, PowerCrust};
 use std::sync::{Arc, Mutex};
 
 const ALL: [Stage; 6] =
@@ -50,17 +50,23 @@ fn power_tests_of_poles_seldom_need_integers() {
         let points = |rows: &[[f64; 3]]| {
             Arc::new(Points::new(rows.iter().copied(), Default::default(), &job).unwrap())
         };
-        let poles = Poles::with_far_box(&points(&rows), &job).unwrap();
-        let centers: Vec<[f64; 3]> = poles.balls().iter().map(|&[x, y, z, _]| [x, y, z]).collect();
-        let centers = points(&centers);
-        let before = ALL.map(settled);
-        Triangulation::regular(&centers, poles.radii_squared(), &job).unwrap();
-        let counts: Vec<u64> =
-            ALL.into_iter().zip(before).map(|(stage, before)| settled(stage) - before).collect();
-        let tests: u64 = counts[..5].iter().sum();
-        assert!(tests > 40 * centers.len() as u64, "{counts:?}");
+        let poles = Arc::new(Poles::with_far_box(&points(&rows), &job).unwrap());
+        let counts = |round_poles| {
+            let options = PowerCrustOptions { round_poles, ..Default::default() };
+            let before = ALL.map(settled);
+            PowerCrust::from_poles(&poles, options, &job).unwrap();
+            let counts = ALL.into_iter().zip(before).map(|(stage, before)| settled(stage) - before);
+            counts.collect::<Vec<_>>()
+        };
+        let (exact, rounded) = (counts(false), counts(true));
+        let [tests, rounded_tests] =
+            [&exact, &rounded].map(|counts| counts[..5].iter().sum::<u64>());
+        assert!(tests.min(rounded_tests) > 40 * poles.len() as u64, "{exact:?} {rounded:?}");
         // As many are hard as there should be, and nearly all of them are settled by pairs.
-        assert!(counts[3] * 20 > tests, "{counts:?}");
-        assert!(counts[4] * 1000 < tests, "{counts:?}");
+        assert!(exact[3] * 20 > tests, "{exact:?}");
+        assert!(exact[4] * 1000 < tests, "{exact:?}");
+        // Rounding leaves few for pairs, and next to none for integers.
+        assert!(rounded[3] * 3 < exact[3], "{exact:?} {rounded:?}");
+        assert!(rounded[4] * 10_000 < rounded_tests, "{rounded:?}");
     }
 }
