@@ -25,8 +25,9 @@
 //! of the product with the fourth, and 2 of the sums of four. (Where q.l is the square, it goes
 //! through them where the minor of z, l would.) Fused operations round less often. So the bound is
 //! 408 u X Y Z M here too, with the maxima over all rows in the lane's determinant; we take them over
-//! all of the cell's rows and q_i. With S the largest x^2 + y^2 + z^2, X Y Z is at most S^(3/2); that is looser, but
-//! takes fewer steps. They round 9 times at most (4 for S^(3/2) by the square, 4 by M, and 1): that is covered as in [`super::lifted`].
+//! all of the cell's rows and q_i. Without weights, with S the largest x^2 + y^2 + z^2 = M, X Y Z is at most S^(3/2); that is
+//! looser, but takes fewer steps. They round 9 times at most (4 for S^(3/2) by the square, 4 by M, and 1): that is covered as in
+//! [`super::lifted`]. Poles lie on sheets, where it would leave too much open.
 //! The l of the vertex at infinity is the M of some other row, and
 //! not rounded. In the orientations, 8 roundings and 6 terms make 48 u X Y Z, as in [`super::orient`].
 
@@ -110,9 +111,14 @@ pub(crate) fn neighbors_in_conflict<L: Lanes, S: Site>(
     let (l, m) = (L::select(infinite[0], finite, l), L::select(infinite[0], finite, m));
     let (ql, qm) = (L::select(infinite[1], m, ql), L::select(infinite[1], m, qm));
 
-    let s = s.largest().max(qs);
-    let m = if S::WEIGHTED { m.largest().max(qm) } else { s };
-    let bound = s.mul(s.sqrt()).mul(m).mul_add(L::splat(MAXIMUM_BOUND), L::splat(TINY));
+    let product = if S::WEIGHTED {
+        let xy = x.abs().largest().max(qx.abs()).mul(y.abs().largest().max(qy.abs()));
+        xy.mul(z.abs().largest().max(qz.abs()).mul(m.largest().max(qm)))
+    } else {
+        let s = s.largest().max(qs);
+        s.mul(s.sqrt()).mul(s)
+    };
+    let bound = product.mul_add(L::splat(MAXIMUM_BOUND), L::splat(TINY));
 
     let (next_xy, second_xy) = minors(x, y);
     let (next_zl, second_zl) = minors(z, l);
