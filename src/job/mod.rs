@@ -3,11 +3,9 @@
 //! Options say *what* to build, a [`Job`] says *how*. A job runs one build at a time; a second
 //! one started meanwhile fails with [`Status::Busy`], and a cancelled job is spent.
 
-mod pages;
 mod room;
 mod threads;
 
-pub(crate) use pages::ask_for_large_pages;
 pub(crate) use room::Room;
 pub(crate) use threads::{PART, parts};
 
@@ -362,15 +360,14 @@ impl<'a> Run<'a> {
         let mut vec = Vec::new();
         let bytes = capacity.saturating_mul(size_of::<T>());
         vec.try_reserve_exact(capacity).map_err(|_| room::out_of_memory(bytes))?;
-        ask_for_large_pages(&mut vec);
         Ok(vec)
     }
 
-    /// A vector of equal values, or [`Status::OutOfMemory`].
+    /// A vector of equal values, or [`Status::OutOfMemory`]. Zeros take memory only where they are first changed.
     pub fn try_filled<T: Clone>(&self, len: usize, value: T) -> Result<Vec<T>> {
-        let mut vec = self.try_vec(len)?;
-        vec.resize(len, value);
-        Ok(vec)
+        // Only what the standard library fills can be had as zeros, and it aborts where there is no room: ask first.
+        drop(self.try_vec::<T>(len)?);
+        Ok(vec![value; len])
     }
 
     fn close_stage(&self) {

@@ -1,6 +1,6 @@
 //! Memory that a build asks for piece by piece.
 
-use super::{Charge, Run, ask_for_large_pages};
+use super::{Charge, Run};
 use crate::error::{Error, Result, Status};
 use std::collections::HashMap;
 use std::hash::Hash;
@@ -34,12 +34,7 @@ impl<'a> Room<'a> {
     pub fn reserve<T>(&mut self, vec: &mut Vec<T>, extra: usize) -> Result<()> {
         let bytes = extra.saturating_mul(size_of::<T>());
         self.keep(bytes)?;
-        vec.try_reserve_exact(extra).map_err(|_| out_of_memory(bytes))?;
-        // An array that grows moves, and would be cut into small pages again.
-        if vec.is_empty() {
-            ask_for_large_pages(vec);
-        }
-        Ok(())
+        vec.try_reserve_exact(extra).map_err(|_| out_of_memory(bytes))
     }
 
     /// Makes room for `extra` more elements; the room doubles when it is used up.

@@ -1,6 +1,7 @@
 //! Samples: checked, merged where they coincide, and put into spatial order.
 
 mod bounds;
+mod build;
 mod far_box;
 mod hilbert;
 pub(crate) mod order;
@@ -9,9 +10,10 @@ pub use bounds::Bounds;
 pub use far_box::FAR_BOX_FACTOR;
 pub use far_box::FAR_BOX_LEN;
 
-use crate::error::{ElementKind, Error, Result, Status};
-use crate::index::NONE;
-use crate::job::{Job, Room, Run, Stage};
+pub(crate) use build::check_coordinates;
+
+use crate::error::Result;
+use crate::job::{Job, Run, Stage};
 
 /// The largest absolute coordinate: 2^200.
 ///
@@ -78,61 +80,7 @@ impl Points {
         options: PointsOptions,
         run: &Run<'_>,
     ) -> Result<Self> {
-        run.enter(Stage::Order)?;
-        let total = rows.len();
-        if total > POINT_LIMIT {
-            return Err(Error::new(
-                Status::LimitExceeded,
-                format!("{total} points are more than the limit of {POINT_LIMIT}"),
-            ));
-        }
-        let mut room = Room::new(run);
-        let mut kept: Vec<([f64; 3], u32)> = room.vec(total)?;
-        for (row, xyz) in rows.enumerate() {
-            if row % 65536 == 0 {
-                run.tick(row / 4, total)?;
-            }
-            let Some(xyz) = xyz else { continue };
-            match check_coordinates(xyz) {
-                Ok(xyz) => kept.push((xyz, row as u32)),
-                Err(error) if error.status() == Status::NonFinite && options.skip_non_finite => {}
-                Err(error) => {
-                    let advice = match error.status() {
-                        Status::NonFinite => "remove the row, or ask to skip such rows",
-                        _ => "rescale the points",
-                    };
-                    let message = format!("{}; {advice}", error.message());
-                    let error = Error::new(error.status(), message);
-                    return Err(error.at(ElementKind::Row, row as u64));
-                }
-            }
-        }
-        run.tick(1, 4)?;
-        let Some(bounds) = Bounds::of(kept.iter().map(|(xyz, _)| *xyz)) else {
-            return Err(Error::new(Status::TooFewPoints, "there is no point"));
-        };
-        order::sort(&mut kept, &bounds, run)?;
-        let mut points = Points {
-            coords: room.vec(kept.len())?,
-            vertex_of_row: room.filled(total, NONE)?,
-            row_of_vertex: room.vec(kept.len())?,
-            duplicate_of: room.filled(total, NONE)?,
-            duplicate_count: 0,
-            skipped_count: total - kept.len(),
-            bounds,
-        };
-        for kept in run.watch(kept) {
-            let (xyz, row) = kept?;
-            if points.coords.last() != Some(&xyz) {
-                points.coords.push(xyz);
-                points.row_of_vertex.push(row);
-            } else if let Some(&first) = points.row_of_vertex.last() {
-                points.duplicate_of[row as usize] = first;
-                points.duplicate_count += 1;
-            }
-            points.vertex_of_row[row as usize] = points.coords.len() as u32 - 1;
-        }
-        Ok(points)
+        build::build(rows, options, run)
     }
 
     /// The distinct points in spatial order, in input units.
@@ -190,20 +138,4 @@ impl Points {
     pub fn bounds(&self) -> &Bounds {
         &self.bounds
     }
-}
-
-/// The row with -0 made 0, if every coordinate is finite and in range.
-pub(crate) fn check_coordinates(xyz: [f64; 3]) -> Result<[f64; 3]> {
-    if !xyz.iter().all(|x| x.is_finite()) {
-        return Err(Error::new(Status::NonFinite, "a coordinate is NaN or infinite"));
-    }
-    let in_range = |x: f64| x == 0.0 || (COORDINATE_MIN..=COORDINATE_MAX).contains(&x.abs());
-    if !xyz.iter().all(|&x| in_range(x)) {
-        return Err(Error::new(
-            Status::CoordinateRange,
-            "a coordinate other than 0 lies outside [2^-160, 2^200]",
-        ));
-    }
-    // -0 + 0 is 0: equal points must be equal in every bit.
-    Ok(xyz.map(|x| x + 0.0))
 }

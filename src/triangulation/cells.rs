@@ -31,7 +31,7 @@
 #![allow(unsafe_code)]
 
 use crate::error::{Error, Result, Status};
-use crate::job::{Charge, Run, ask_for_large_pages};
+use crate::job::{Charge, Run};
 use std::marker::PhantomData;
 use std::mem::MaybeUninit;
 use std::ops::Range;
@@ -291,9 +291,6 @@ impl<'a> Cells<'a> {
                 format!("{bytes} bytes for cells are not to be had"),
             ));
         }
-        ask_for_large_pages(&mut self.vertices);
-        ask_for_large_pages(&mut self.neighbors);
-        ask_for_large_pages(&mut self.marks);
         Ok(())
     }
 
