@@ -3,11 +3,11 @@
 //! # Why the unsafe code here is sound
 //!
 //! **In bounds.** A [`Cell`] and a [`Facet`] are made in this file only, from slots that were handed
-//! out. So what is read from the arrays names slots within them, and needs no check. The arrays
-//! move only in [`Cells::hand_out_to_all`], which borrows them as a whole, and never shrink. (All cells belong to one
-//! [`Cells`]: a build has no other.)
+//! out or taken. So what is read from the arrays names slots within them, and needs no check. The arrays
+//! move only in [`Cells::prepare`], which borrows them as a whole, and never shrink; patches take slots within their capacity. (All
+//! cells belong to one [`Cells`]: a build has no other.)
 //!
-//! **Initialised.** Slots are filled with zeros, and the arrays as long as that, before they are handed out.
+//! **Initialised.** Slots are filled with zeros when they are handed out or taken.
 //!
 //! **No data race.** Several threads insert at once, each through a [`Patch`] of its own. Every vertex but the one at infinity
 //! has one owner among the patches, and *a patch owns the cells of which it owns three vertices or more*; so a cell has one owner, or none.
@@ -33,15 +33,14 @@
 use crate::error::{Error, Result, Status};
 use crate::job::{Charge, Run};
 use std::marker::PhantomData;
-use std::mem::MaybeUninit;
 use std::ops::Range;
-use std::sync::atomic::{AtomicU8, Ordering};
+use std::sync::atomic::{AtomicU8, AtomicUsize, Ordering};
 
 /// The most cells: a packed neighbour, `4 * cell + facet`, must fit into 32 bits.
 pub const CELL_LIMIT: usize = 1 << 30;
 
-/// Slots that one thread fills at a time.
-const PIECE: usize = if cfg!(test) { 64 } else { 1 << 14 };
+/// Slots that a thread takes at a time.
+pub(super) const PIECE: usize = if cfg!(test) { 64 } else { 1 << 12 };
 
 /// What one cell takes: vertices, packed neighbours, mark.
 const CELL_BYTES: usize = size_of::<[u32; 4]>() * 2 + 1;
@@ -123,6 +122,8 @@ pub(super) struct Cells<'a> {
     /// 1 for cells in conflict with a point that is being inserted.
     marks: Vec<u8>,
     infinite: u32,
+    /// How many slots there are with those that patches have taken.
+    taken: AtomicUsize,
     run: &'a Run<'a>,
     charges: Vec<Charge<'a>>,
 }
@@ -142,6 +143,7 @@ impl<'a> Cells<'a> {
             neighbors: Vec::new(),
             marks: Vec::new(),
             infinite: vertex_count as u32,
+            taken: AtomicUsize::new(0),
             run,
             charges: Vec::new(),
         };
@@ -149,7 +151,7 @@ impl<'a> Cells<'a> {
         // not used is address space only; where even that is scarce, the arrays grow as they are filled.
         let _ = cells.reserve(vertex_count.saturating_mul(15) / 2 + 64);
         cells.charge(5)?;
-        cells.grow(5)?;
+        cells.prepare(5)?;
         cells.vertices.push(simplex);
         for facet in FACET {
             // The facet turned round: the vertex at infinity lies on its other side.
@@ -188,68 +190,60 @@ impl<'a> Cells<'a> {
             marks: self.marks.as_mut_ptr(),
             infinite: self.infinite,
             owners: None,
+            supply: None,
             lifetime: PhantomData,
         }
     }
 
     /// So many patches; `owners` tells for each vertex, the one at infinity excepted, which of them owns it.
+    ///
+    /// They take new slots while they last; [`Cells::add_taken`] must follow.
     pub fn patches<'p>(&'p mut self, owners: &'p [u8], count: u8) -> Vec<Patch<'p>> {
-        let Patch { vertices, neighbors, marks, infinite, lifetime, .. } = self.whole();
+        *self.taken.get_mut() = self.len();
+        let capacity = self.capacity();
+        let (vertices, neighbors) = (self.vertices.as_mut_ptr(), self.neighbors.as_mut_ptr());
+        let (marks, infinite) = (self.marks.as_mut_ptr(), self.infinite);
+        let supply = Some((&self.taken, capacity));
         let patch = |id| Patch {
             vertices,
             neighbors,
             marks,
             infinite,
             owners: Some((owners, id)),
-            lifetime,
+            supply,
+            lifetime: PhantomData,
         };
         (0..count).map(patch).collect()
     }
 
-    /// Hands out `count` more slots.
+    /// Hands out more slots, as many at a time as a patch would take, or `least` if these are more.
     ///
-    /// Errors: those of [`Cells::grow`].
-    pub fn hand_out(&mut self, count: usize, to: &mut Slots) -> Result<()> {
-        self.hand_out_to_all(&mut [(count, to)])
+    /// Errors: those of [`Cells::prepare`].
+    pub fn hand_out(&mut self, least: usize, to: &mut Slots) -> Result<()> {
+        let (begin, count) = (self.len(), least.max(PIECE));
+        self.charge(count)?;
+        self.prepare(count)?;
+        self.vertices.resize(begin + count, [0; 4]);
+        self.neighbors.resize(begin + count, [0; 4]);
+        self.marks.resize(begin + count, 0);
+        to.add(begin..begin + count);
+        Ok(())
     }
 
-    /// Hands out more slots to several, so many to each. All threads fill them: the first to touch new memory
-    /// waits for it.
+    /// Adds the slots that patches have taken, now that these are given up.
     ///
-    /// Errors: those of [`Cells::grow`], and [`Status::Cancelled`].
-    pub fn hand_out_to_all(&mut self, to: &mut [(usize, &mut Slots)]) -> Result<()> {
-        let begin = self.len();
-        let count = to.iter().map(|(count, _)| count).sum();
-        self.charge(count)?;
-        self.grow(count)?;
-        if count < PIECE {
-            self.vertices.resize(begin + count, [0; 4]);
-            self.neighbors.resize(begin + count, [0; 4]);
-            self.marks.resize(begin + count, 0);
-        } else {
-            let vertices = self.vertices.spare_capacity_mut()[..count].chunks_mut(PIECE);
-            let neighbors = self.neighbors.spare_capacity_mut()[..count].chunks_mut(PIECE);
-            let marks = self.marks.spare_capacity_mut()[..count].chunks_mut(PIECE);
-            let pieces = vertices.zip(neighbors).zip(marks).collect();
-            self.run.in_parallel(pieces, |((vertices, neighbors), marks)| {
-                self.run.poll()?;
-                vertices.fill(MaybeUninit::new([0; 4]));
-                neighbors.fill(MaybeUninit::new([0; 4]));
-                marks.fill(MaybeUninit::new(0));
-                Ok(())
-            })?;
-            // SAFETY: there is capacity for so many, and the loop above has filled them.
+    /// Errors: [`Status::OutOfMemory`] where they are more than the job's ceiling allows.
+    pub fn add_taken(&mut self) -> Result<()> {
+        let (begin, end) = (self.len(), *self.taken.get_mut());
+        if begin < end {
+            // SAFETY: pieces up to here were taken, from where the arrays end on; each was within the capacity, which
+            // has not changed since, and filled with zeros.
             unsafe {
-                self.vertices.set_len(begin + count);
-                self.neighbors.set_len(begin + count);
-                self.marks.set_len(begin + count);
+                self.vertices.set_len(end);
+                self.neighbors.set_len(end);
+                self.marks.set_len(end);
             }
-        }
-        let mut next = begin as u32;
-        for (count, slots) in to {
-            slots.free.extend(slots.fresh.by_ref().map(Cell));
-            slots.fresh = next..next + *count as u32;
-            next += *count as u32;
+            self.charge(end - begin)?;
         }
         Ok(())
     }
@@ -263,7 +257,7 @@ impl<'a> Cells<'a> {
     /// Makes room for `extra` more cells, and for an eighth of all besides if there is none.
     ///
     /// Errors: [`Status::LimitExceeded`] past [`CELL_LIMIT`], [`Status::OutOfMemory`].
-    fn grow(&mut self, extra: usize) -> Result<()> {
+    pub fn prepare(&mut self, extra: usize) -> Result<()> {
         let len = self.len();
         let needed = len + extra;
         if needed > CELL_LIMIT {
@@ -272,10 +266,16 @@ impl<'a> Cells<'a> {
                 format!("the triangulation has more than {CELL_LIMIT} cells"),
             ));
         }
-        if needed <= self.marks.capacity() {
+        if needed <= self.capacity() {
             return Ok(());
         }
         self.reserve(needed.max(len + len / 8))
+    }
+
+    /// How many slots there can be before the arrays move.
+    fn capacity(&self) -> usize {
+        let least = self.vertices.capacity().min(self.neighbors.capacity());
+        least.min(self.marks.capacity()).min(CELL_LIMIT)
     }
 
     /// Makes room for `capacity` cells in all.
@@ -320,6 +320,12 @@ impl Slots {
         self.free.len() + self.fresh.len()
     }
 
+    /// Adds slots that never held a cell.
+    fn add(&mut self, slots: Range<usize>) {
+        self.free.extend(self.fresh.by_ref().map(Cell));
+        self.fresh = slots.start as u32..slots.end as u32;
+    }
+
     /// Appends `count` slots to the list; there must be so many.
     #[inline]
     pub fn take(&mut self, count: usize, to: &mut Vec<Cell>) {
@@ -343,6 +349,8 @@ pub(super) struct Patch<'a> {
     infinite: u32,
     /// The owner of each vertex, and the number of this patch; `None` if it owns all.
     owners: Option<(&'a [u8], u8)>,
+    /// How many slots there are with those that patches have taken, and how many there can be; `None` if it cannot take any.
+    supply: Option<(&'a AtomicUsize, usize)>,
     lifetime: PhantomData<&'a mut u8>,
 }
 
@@ -355,6 +363,24 @@ impl Patch<'_> {
     #[inline(always)]
     pub fn reborrow(&mut self) -> Patch<'_> {
         Patch { ..*self }
+    }
+
+    /// Takes some more slots; `false` if there are none.
+    #[cold]
+    pub fn take_slots(&mut self, to: &mut Slots) -> bool {
+        let Some((taken, capacity)) = self.supply else { return false };
+        let end = |begin: usize| (begin + PIECE <= capacity).then_some(begin + PIECE);
+        let begin = taken.fetch_update(Ordering::Relaxed, Ordering::Relaxed, end);
+        let Ok(begin) = begin else { return false };
+        // SAFETY: these slots are within the capacity and nobody else's: each piece is taken once, and the arrays ended
+        // before them when the patches were made.
+        unsafe {
+            self.vertices.add(begin).write_bytes(0, PIECE);
+            self.neighbors.add(begin).write_bytes(0, PIECE);
+            self.marks.add(begin).write_bytes(0, PIECE);
+        }
+        to.add(begin..begin + PIECE);
+        true
     }
 
     /// The vertex at infinity.

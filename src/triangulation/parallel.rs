@@ -5,11 +5,11 @@
 //! next pass, which cuts across another axis first, and in the end to one thread. The triangulation is unique, so
 //! the result does not depend on who inserted what, or when.
 
-use super::cells::{Cell, Cells, Patch, Slots};
+use super::cells::{CELL_LIMIT, Cell, Cells, PIECE, Patch, Slots};
 use super::partition::{Partition, axes_by_length};
 use super::worker::{Dug, Worker};
 use crate::error::Result;
-use crate::job::{Room, Run};
+use crate::job::{PART, Room, Run};
 use crate::predicates::around::Site;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -17,13 +17,16 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 const TICK: usize = 64;
 /// The fewest points that are worth a thread.
 const PER_THREAD: usize = if cfg!(test) { 16 } else { 1 << 13 };
+/// The fewest points that are worth a thread in another pass: their threads have their arrays already.
+const PER_THREAD_AGAIN: usize = if cfg!(test) { 8 } else { 1 << 10 };
 /// The most threads: a box's number is a byte.
 const MOST_THREADS: usize = 255;
 /// How many vertices of a box are tried to find a cell in it.
 const TRIALS: usize = 32;
 /// The most passes of several threads in a round.
 const PASSES: usize = 4;
-/// What the sides of cuts that lie below them have of their fair share of the points, in one pass after the other.
+/// What the sides of cuts that lie below them have of their fair share of the points, in one pass after the other: what is
+/// left lies near earlier cuts, and so would fair ones.
 const SHARES: [f64; PASSES] = [1.0, 0.7, 1.2, 0.5];
 /// How many vertices are looked at to cut space into equal parts.
 const CUT_SAMPLE: usize = 1 << 13;
@@ -81,7 +84,7 @@ impl<'a, S: Site> Crew<'a, S> {
         vertices: impl Iterator<Item = u32>,
     ) -> Result<()> {
         let (run, sites, worker) = (self.run, self.sites, &mut self.workers[0]);
-        worker.begin(self.near);
+        worker.begin(&[self.near]);
         for (i, vertex) in vertices.enumerate() {
             if i % TICK == 0 {
                 run.tick(self.done.fetch_add(TICK, Ordering::Relaxed), sites.len())?;
@@ -110,7 +113,7 @@ impl<'a, S: Site> Crew<'a, S> {
         self.cut((0..self.sites.len() as u32).step_by(every), threads, 0)?;
         let mut left = self.pass(cells, vertices, expected, threads)?;
         for pass in 1..PASSES {
-            let threads = self::threads(left.len(), self.run).min(threads);
+            let threads = threads.min(left.len() / PER_THREAD_AGAIN);
             if threads < 2 {
                 break;
             }
@@ -133,16 +136,17 @@ impl<'a, S: Site> Crew<'a, S> {
         while self.workers.len() < threads {
             self.workers.push(Worker::new(sites.len(), self.near, &mut self.room)?);
         }
-        self.provide(cells, expected, threads)?;
+        // A quarter more than so many vertices took up to now. If that is not enough, points wait for the next pass.
+        let per_point = cells.len() as f64 / self.done.load(Ordering::Relaxed).max(1) as f64;
+        let wanted = (1.25 * expected as f64 * per_point) as usize + threads * PIECE;
+        cells.prepare(wanted.min(CELL_LIMIT - cells.len()))?;
         let mut begun = Vec::new();
         for (id, worker) in self.workers[..threads].iter_mut().enumerate() {
             // Some of all its vertices: those to insert may all lie near an earlier cut.
             let all = 0..sites.len() as u32;
             let own = all.filter(|&v| usize::from(self.boxes[v as usize]) == id);
             let own = own.step_by(sites.len() / (threads * TRIALS) + 1);
-            let near = cell_within(cells, sites, worker, self.near, &self.boxes, own);
-            worker.begin(near.unwrap_or(self.near));
-            begun.push(near.is_some());
+            begun.push(begin_within(cells, sites, worker, self.near, &self.boxes, own));
         }
         let idle = self.workers.split_off(threads);
         let working = std::mem::replace(&mut self.workers, idle);
@@ -166,6 +170,7 @@ impl<'a, S: Site> Crew<'a, S> {
             Ok((worker, left))
         };
         let results = run.in_parallel(parts.collect(), work)?;
+        cells.add_taken()?;
         let mut left = Vec::new();
         let mut working = Vec::new();
         for ((worker, its), begun) in results.into_iter().zip(begun) {
@@ -193,30 +198,21 @@ impl<'a, S: Site> Crew<'a, S> {
     ) -> Result<()> {
         let mut sample: Vec<[f64; 3]> =
             sample.map(|v| *self.sites[v as usize].position()).collect();
-        let (axis, share) = (self.axes[pass % 3], SHARES[pass % SHARES.len()]);
-        let partition = Partition::new(&mut sample, 0..threads as u8, axis, share);
+        let (axis, share) = (self.axes[pass % 3], SHARES[pass]);
+        // Nothing was cut across this axis first before.
+        let first = if pass < 3 { 1.0 } else { share };
+        let partition = Partition::new(&mut sample, 0..threads as u8, axis, [first, share]);
         if self.boxes.is_empty() {
             self.boxes = self.room.filled(self.sites.len(), 0)?;
         }
-        for (of_vertex, site) in self.run.watch(self.boxes.iter_mut().zip(self.sites)).flatten() {
-            *of_vertex = partition.of(site.position());
-        }
-        self.run.poll()
-    }
-
-    /// Hands out slots for the vertices of a pass to the workers.
-    fn provide(&mut self, cells: &mut Cells<'_>, expected: usize, threads: usize) -> Result<()> {
-        let unused: usize = self.workers.iter_mut().map(|worker| worker.slots().len()).sum();
-        let done = self.done.load(Ordering::Relaxed).max(1);
-        let per_point = (cells.len() - unused) as f64 / done as f64;
-        // What is missing in the end makes points wait for the next pass, so a little more is asked for.
-        let wanted = (expected as f64 * per_point * (33.0 / 32.0)) as usize / threads + 512;
-        let mut missing: Vec<_> = self.workers[..threads]
-            .iter_mut()
-            .map(|worker| (wanted.saturating_sub(worker.slots().len()), worker.slots()))
-            .filter(|&(count, _)| count > 0)
-            .collect();
-        cells.hand_out_to_all(&mut missing)?;
+        let parts = self.boxes.chunks_mut(PART).zip(self.sites.chunks(PART)).collect();
+        self.run.in_parallel(parts, |(boxes, sites)| {
+            self.run.poll()?;
+            for (of_vertex, site) in boxes.iter_mut().zip(sites) {
+                *of_vertex = partition.of(site.position());
+            }
+            Ok(())
+        })?;
         Ok(())
     }
 }
@@ -224,26 +220,30 @@ impl<'a, S: Site> Crew<'a, S> {
 /// The number of a box, who works there, and whether a cell in it was found to begin with.
 type Part<'a> = (usize, ((Worker, Patch<'a>), &'a bool));
 
-/// A cell of a box, given vertices in it.
-fn cell_within<S: Site>(
+/// Makes a worker begin at cells of a box, given vertices in it. Returns whether such a cell was found.
+fn begin_within<S: Site>(
     cells: &mut Cells<'_>,
     sites: &[S],
-    worker: &Worker,
+    worker: &mut Worker,
     from: Cell,
     boxes: &[u8],
     vertices: impl Iterator<Item = u32>,
-) -> Option<Cell> {
+) -> bool {
     let patch = cells.whole();
     let mut near = from;
+    let mut found = Vec::new();
     for vertex in vertices {
         near = worker.locate(&patch, sites, near, vertex);
         let its = Some(&boxes[vertex as usize]);
         let own = patch.vertices(near).into_iter().filter(|&v| boxes.get(v as usize) == its);
         if own.count() >= 3 {
-            return Some(near);
+            found.push(near);
         }
     }
-    None
+    let begun = !found.is_empty();
+    found.push(from);
+    worker.begin(&found[..found.len() - usize::from(begun)]);
+    begun
 }
 
 #[cfg(test)]

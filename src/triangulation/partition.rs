@@ -17,21 +17,21 @@ pub(super) enum Partition {
 
 impl Partition {
     /// Divides space into boxes with about equally many of the given points, first across an axis, then each part
-    /// across its longest. With another `share` than 1 the sides of a cut that lie below it have that much of the points that
-    /// would be fair. Cost: O(n log n log b) for n points and b boxes.
-    pub fn new(points: &mut [[f64; 3]], boxes: Range<u8>, axis: usize, share: f64) -> Self {
+    /// across its longest. What lies below the first cut has `shares[0]` of the points that would be fair, and below the
+    /// others `shares[1]`. Cost: O(n log n log b) for n points and b boxes.
+    pub fn new(points: &mut [[f64; 3]], boxes: Range<u8>, axis: usize, shares: [f64; 2]) -> Self {
         let count = usize::from(boxes.end - boxes.start);
         if count <= 1 || points.is_empty() {
             return Partition::Box(boxes.start);
         }
         points.sort_unstable_by(|p, q| p[axis].total_cmp(&q[axis]));
         let fair = (points.len() * (count / 2)) as f64 / count as f64;
-        let (below, above) = points.split_at_mut((share * fair) as usize);
+        let (below, above) = points.split_at_mut((shares[0] * fair) as usize);
         let place = above[0][axis];
         let middle = boxes.start + (count / 2) as u8;
         let part = |points: &mut [[f64; 3]], boxes| {
             let axis = axes_by_length(points.iter().copied())[0];
-            Box::new(Partition::new(points, boxes, axis, share))
+            Box::new(Partition::new(points, boxes, axis, [shares[1]; 2]))
         };
         let (below, above) = (part(below, boxes.start..middle), part(above, middle..boxes.end));
         Partition::Cut { axis, place, below, above }
@@ -75,7 +75,7 @@ mod tests {
             .map(|i| [f64::from(i % 64), f64::from(i / 64 % 16), f64::from(i / 1024)])
             .collect();
         for boxes in [1, 2, 3, 8, 200] {
-            let partition = Partition::new(&mut points.clone(), 0..boxes, 1, 1.0);
+            let partition = Partition::new(&mut points.clone(), 0..boxes, 1, [1.0; 2]);
             let mut counts = vec![0; usize::from(boxes)];
             points.iter().for_each(|p| counts[usize::from(partition.of(p))] += 1);
             let fair = points.len() / usize::from(boxes);

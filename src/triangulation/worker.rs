@@ -32,10 +32,14 @@ pub(super) struct Worker {
     anchors: [Cell; ANCHORS],
     /// The walks that succeeded, and those that did not.
     walks: [usize; 2],
+    /// The walks that did not, since one did.
+    stuck: usize,
 }
 
+/// How many walks in turn leave the patch before the next begins elsewhere.
+const STUCK: usize = 8;
 /// How many cells are remembered.
-const ANCHORS: usize = 4;
+const ANCHORS: usize = 8;
 /// How many walks succeed before another one is.
 const ANCHOR_EVERY: usize = 256;
 
@@ -50,23 +54,20 @@ impl Worker {
             near,
             anchors: [near; ANCHORS],
             walks: [0; 2],
+            stuck: 0,
         })
     }
 
-    /// Makes the next walk begin at a cell, which the patch must own.
-    pub fn begin(&mut self, near: Cell) {
-        self.near = near;
-        self.anchors = [near; ANCHORS];
+    /// Makes the next walk begin at the first of some cells, at least one, all of which the patch must own, and others at others.
+    pub fn begin(&mut self, cells: &[Cell]) {
+        self.near = cells[0];
+        self.anchors = std::array::from_fn(|i| cells[i * cells.len() / ANCHORS]);
+        self.stuck = 0;
     }
 
     /// A cell of the patch, as long as nobody else changes it.
     pub fn near(&self) -> Cell {
         self.near
-    }
-
-    /// The slots for new cells.
-    pub fn slots(&mut self) -> &mut Slots {
-        &mut self.slots
     }
 
     /// The cell that holds a vertex, in a patch that owns all cells.
@@ -89,9 +90,12 @@ impl Worker {
     ) -> Result<Dug> {
         let (processor, point) = (self.processor, &sites[vertex as usize]);
         match kernel::locate::<S, SHARED>(processor, patch, sites, self.near, point) {
-            Some(cell) => self.near = cell,
+            Some(cell) => (self.near, self.stuck) = (cell, 0),
             None => {
-                self.turn_to_anchor(patch);
+                self.stuck += 1;
+                if self.stuck.is_multiple_of(STUCK) {
+                    self.turn_to_anchor(patch);
+                }
                 return Ok(Dug::Foreign);
             }
         }
@@ -122,7 +126,7 @@ impl Worker {
     }
 
     /// Inserts a vertex where there are other patches, or finds that it is hidden; `false` if neither can be done
-    /// in this patch, or there are too few slots.
+    /// in this patch, or there are no slots left.
     ///
     /// Errors: as [`Worker::dig`].
     #[inline]
@@ -136,11 +140,13 @@ impl Worker {
         match self.dig::<S, true>(patch, sites, vertex, run)? {
             Dug::Hidden => Ok(true),
             Dug::Foreign => Ok(false),
-            Dug::Cavity if self.missing() > 0 => {
-                self.cavity.forget(patch);
-                Ok(false)
-            }
             Dug::Cavity => {
+                while self.missing() > 0 {
+                    if !patch.take_slots(&mut self.slots) {
+                        self.cavity.forget(patch);
+                        return Ok(false);
+                    }
+                }
                 self.fill(patch, vertex);
                 self.walks[0] += 1;
                 if self.walks[0].is_multiple_of(ANCHOR_EVERY) {
@@ -158,7 +164,7 @@ impl Worker {
     pub fn provide(&mut self, cells: &mut Cells<'_>) -> Result<()> {
         match self.missing() {
             0 => Ok(()),
-            missing => cells.hand_out(missing.max(64 + cells.len() / 64), &mut self.slots),
+            missing => cells.hand_out(missing, &mut self.slots),
         }
     }
 
