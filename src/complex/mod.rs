@@ -234,6 +234,11 @@ impl Complex {
 fn fans(faces: &Rows, run: &Run<'_>) -> Result<(Vec<[u32; 3]>, Vec<u32>)> {
     let count = faces.indices().len() - 2 * faces.len();
     let mut room = Room::new(run);
+    if count == faces.len() {
+        // Nothing but triangles.
+        let triangles = room.collect(faces.indices().as_chunks().0.iter().copied())?;
+        return Ok((triangles, room.collect(0..count as u32)?));
+    }
     let (mut triangles, mut face_of) = (room.vec(count)?, room.vec(count)?);
     for face in run.watch(faces.iter().enumerate()) {
         let (i, face) = face?;

@@ -7,7 +7,8 @@ use crate::error::Result;
 use crate::index::NONE;
 use crate::job::{self, Room, Run};
 use crate::poles::Poles;
-use crate::triangulation::{Edges, Triangulation};
+use crate::triangulation::Triangulation;
+use std::ops::Range;
 
 /// The side of the surface on which a pole lies. The numbers are the C ABI's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -54,7 +55,7 @@ struct Links {
 }
 
 impl Links {
-    /// The links of every pole, given each link once with its two ends.
+    /// The links of every pole, given each link with its two ends.
     fn new(
         count: usize,
         parts: &[Vec<(u32, u32, f64)>],
@@ -89,29 +90,12 @@ impl Links {
     }
 }
 
-/// What the labels given so far say of a pole: two beliefs in [0, 1].
-#[derive(Clone, Copy, Default, PartialEq)]
-struct Belief {
-    inner: f64,
-    outer: f64,
-}
+/// What the labels given so far say of a pole: a belief in [0, 1] for either label, by its number.
+type Belief = [f64; 2];
 
-impl Belief {
-    /// Figure 8, Update_Priority: a confused pole waits.
-    fn priority(self) -> f64 {
-        if self.inner > 0.0 && self.outer > 0.0 {
-            (self.inner - self.outer).abs() - 1.0
-        } else {
-            self.inner.max(self.outer)
-        }
-    }
-
-    fn side(&mut self, label: Label) -> &mut f64 {
-        match label {
-            Label::Outer => &mut self.outer,
-            Label::Inner => &mut self.inner,
-        }
-    }
+/// Figure 8, Update_Priority: a confused pole waits.
+fn priority([outer, inner]: Belief) -> f64 {
+    if inner > 0.0 && outer > 0.0 { (inner - outer).abs() - 1.0 } else { inner.max(outer) }
 }
 
 /// Labels every pole.
@@ -122,17 +106,16 @@ impl Belief {
 pub(super) fn label_poles(
     poles: &Poles,
     regular: &Triangulation,
-    edges: &Edges,
     options: &PowerCrustOptions,
     run: &Run<'_>,
 ) -> Result<Labelling> {
     let count = poles.len();
     let mut room = Room::new(run);
     let mut parts = vec![sample_links(poles, &mut room, run)?];
-    let deep = run.in_steps(job::parts(edges.ends.len()), [0.3, 0.4], |range| {
+    let cells = job::parts(regular.cells().len());
+    let deep = run.in_steps(cells, [0.0, 0.3], |cells| {
         let mut room = Room::new(run);
-        let ends = &edges.ends[range];
-        Ok((deep_links(poles, regular, ends, options.deep, &mut room)?, room))
+        Ok((deep_links(poles, regular, cells, options.deep, &mut room)?, room))
     })?;
     let (deep, rooms): (Vec<_>, Vec<_>) = deep.into_iter().unzip();
     parts.extend(deep);
@@ -145,37 +128,24 @@ pub(super) fn label_poles(
     for pole in run.watch(0..count as u32) {
         let pole = pole?;
         if poles.touches_far_box()[pole as usize] {
-            beliefs[pole as usize].outer = 1.0;
+            beliefs[pole as usize][Label::Outer as usize] = 1.0;
             queue.put(pole, 1.0);
         }
     }
     let mut done = 0;
     while let Some(pole) = queue.pop() {
         let p = pole as usize;
-        let belief = beliefs[p];
+        let [outer, inner] = beliefs[p];
         if done % 1024 == 0 {
             run.tick(count + done, 2 * count)?;
         }
         done += 1;
-        let label = if belief.inner > belief.outer { Label::Inner } else { Label::Outer };
-        let strength = belief.inner.max(belief.outer);
+        let label = if inner > outer { Label::Inner } else { Label::Outer };
+        let strength = inner.max(outer);
         labels[p] = Some(label);
         // Nothing raises that any more.
-        beliefs[p] = Belief { inner: f64::INFINITY, outer: f64::INFINITY };
-        for &Link { other, weight } in links.of(pole) {
-            let label = if weight < 0.0 { label.opposite() } else { label };
-            let belief = &mut beliefs[other as usize];
-            let raised = strength * weight.abs();
-            if raised <= *belief.side(label) {
-                continue;
-            }
-            let before = belief.priority();
-            *belief.side(label) = raised;
-            let priority = belief.priority();
-            if priority != before {
-                queue.put(other, priority);
-            }
-        }
+        beliefs[p] = [f64::INFINITY; 2];
+        spread(links.of(pole), label, strength, &mut beliefs, &mut queue);
     }
     let unreached = labels.iter().filter(|label| label.is_none()).count();
     let labelled = labels.into_iter().map(|label| label.unwrap_or(Label::Outer));
@@ -190,18 +160,25 @@ pub(super) fn label_poles(
     Ok(Labelling { labels, unreached, forced })
 }
 
-/// The label of each vertex of the regular triangulation; `None` for those that are hidden.
-pub(super) fn sides(
-    regular: &Triangulation,
-    labels: &[Label],
-    room: &mut Room<'_>,
-) -> Result<Vec<Option<Label>>> {
-    let poles = regular.row_of_vertex().iter();
-    let mut sides = room.collect(poles.map(|&pole| Some(labels[pole as usize])))?;
-    for &hidden in regular.hidden() {
-        sides[hidden as usize] = None;
+/// Passes a label on.
+fn spread(links: &[Link], label: Label, strength: f64, beliefs: &mut [Belief], queue: &mut Queue) {
+    let raised = |link: &Link| {
+        let to = if link.weight < 0.0 { label.opposite() } else { label };
+        (to as usize, strength * link.weight.abs())
+    };
+    for link in links {
+        let (to, raised) = raised(link);
+        let belief = &mut beliefs[link.other as usize];
+        if raised <= belief[to] {
+            continue;
+        }
+        let before = priority(*belief);
+        belief[to] = raised;
+        let priority = priority(*belief);
+        if priority != before {
+            queue.put(link.other, priority);
+        }
     }
-    Ok(sides)
 }
 
 /// The two poles of each sample, with minus the weight -cos of the angle between them at the sample.
@@ -226,24 +203,28 @@ fn sample_links(poles: &Poles, room: &mut Room<'_>, run: &Run<'_>) -> Result<Vec
     Ok(links)
 }
 
-/// The neighbours in the power diagram, among the given ones, whose balls intersect deeply.
+/// The neighbours in the power diagram whose balls intersect deeply, as far as they are met in the given cells.
+/// Some are found in several cells: a link more changes nothing.
 ///
 /// The weight is -cos of the angle at which the balls' spheres intersect, from the law of
 /// cosines: (r_p^2 + r_q^2 - d^2) / (2 r_p r_q), within [-1, 1].
 fn deep_links(
     poles: &Poles,
     regular: &Triangulation,
-    ends: &[[u32; 2]],
+    cells: Range<usize>,
     deep: f64,
     room: &mut Room<'_>,
 ) -> Result<Vec<(u32, u32, f64)>> {
     let pole_of_vertex = regular.row_of_vertex();
     let mut links = Vec::new();
-    for ends in ends {
-        let [p, q] = ends.map(|v| pole_of_vertex[v as usize]);
-        let weight = same_side_weight(&poles.balls()[p as usize], &poles.balls()[q as usize]);
-        if weight > deep {
-            room.push(&mut links, (p, q, weight))?;
+    for cell in cells {
+        for &[i, j] in regular.edges_met(cell as u32) {
+            let corners = &regular.cells()[cell];
+            let [p, q] = [i, j].map(|slot| pole_of_vertex[corners[slot] as usize]);
+            let weight = same_side_weight(&poles.balls()[p as usize], &poles.balls()[q as usize]);
+            if weight > deep {
+                room.push(&mut links, (p, q, weight))?;
+            }
         }
     }
     Ok(links)

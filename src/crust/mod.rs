@@ -6,6 +6,7 @@
 //! between inner and outer cells are the surface.
 
 mod balls;
+mod division;
 mod export;
 mod label;
 mod queue;
@@ -22,6 +23,7 @@ use crate::job::{Job, Room, Run, Stage};
 use crate::points::Points;
 use crate::poles::Poles;
 use crate::triangulation::Triangulation;
+use division::Division;
 use std::sync::Arc;
 
 /// What to build.
@@ -123,18 +125,13 @@ impl PowerCrust {
         let regular = Arc::new(balls::triangulate(&poles, &options, run)?);
         room.keep(regular.bytes())?;
         run.enter(Stage::Label)?;
-        let incidence = regular.incidence_in(run)?;
-        let edges = regular.edges_in(&incidence, run)?;
-        drop(incidence);
-        room.keep(edges.bytes())?;
-        run.tick(1, 8)?;
-        let labelling = label::label_poles(&poles, &regular, &edges, &options, run)?;
+        let labelling = label::label_poles(&poles, &regular, &options, run)?;
         run.enter(Stage::Extract)?;
         let labels = labelling.labels;
-        let sides = label::sides(&regular, &labels, &mut room)?;
-        let surface = surface::extract(&regular, &sides, &edges, run)?;
+        let division = Division::new(&regular, &labels, &mut room, run)?;
+        let surface = surface::extract(&regular, &division, run)?;
         room.keep(surface.bytes())?;
-        let [outer_shape, inner_shape] = shape::extract(&regular, &sides, &edges, run)?;
+        let [outer_shape, inner_shape] = shape::extract(&regular, &division, run)?;
         Ok(PowerCrust {
             options,
             poles,

@@ -1,13 +1,12 @@
 //! The power crust: the facets of the power diagram between inner and outer cells.
 
-use super::label::Label;
+use super::division::{Division, Edge, pieces};
 use crate::complex::{Attribute, Complex, ComplexParts, Element, Rows, Values};
 use crate::dual::orthocenter_positions;
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
 use crate::job::{PART, Room, Run, parts};
-use crate::triangulation::{Edges, Triangulation};
-use std::ops::Range;
+use crate::triangulation::{Triangulation, Turn};
 
 /// The oriented boundary between the inner and the outer cells of the power diagram.
 ///
@@ -18,49 +17,60 @@ use std::ops::Range;
 /// triangulation, those with poles of both labels, so that the same argument on a tetrahedron's four poles, of which one or
 /// two are inner, makes every vertex's faces one disk: the surface is a manifold.
 ///
+/// Faces are in the order of their dual edges, the lesser vertex of each first, and begin with their least cells.
 /// Vertices carry `cell`, faces `inner_pole` and `outer_pole`.
 pub(super) fn extract(
     regular: &Triangulation,
-    sides: &[Option<Label>],
-    edges: &Edges,
+    division: &Division,
     run: &Run<'_>,
 ) -> Result<Complex> {
     let mut room = Room::new(run);
-    let mut vertex_of_cell = room.filled(regular.cells().len(), NONE)?;
-    let mut cells: Vec<u32> = Vec::new();
-    for cell in run.watch(regular.cells().iter().enumerate()) {
-        let (cell, corners) = cell?;
-        let [first, others @ ..] = corners.map(|v| sides[v as usize]);
-        if others != [first; 3] {
-            vertex_of_cell[cell] = cells.len() as u32;
-            room.push(&mut cells, cell as u32)?;
+    let offsets = division.offsets(|share| usize::from(share.is_mixed()));
+    let mut cells = room.filled(offsets[offsets.len() - 1], 0u32)?;
+    // Nobody asks for that of another cell.
+    let mut vertex_of_cell = room.filled(regular.cells().len(), 0u32)?;
+    let ranges = parts(regular.cells().len()).into_iter().zip(&offsets);
+    let results = vertex_of_cell.chunks_mut(PART).zip(pieces(&mut cells, &offsets));
+    run.in_steps(ranges.zip(results).collect(), [0.1, 0.15], |((range, &first), results)| {
+        let (vertex_of_cell, cells) = results;
+        let shares = division.shares[range.clone()].iter().enumerate();
+        let mixed = shares.filter(|(_, share)| share.is_mixed());
+        for (i, ((place, _), cell)) in mixed.zip(cells).enumerate() {
+            *cell = (range.start + place) as u32;
+            vertex_of_cell[place] = (first + i) as u32;
         }
-    }
+        Ok(())
+    })?;
     let mut vertices = room.filled(cells.len(), [0.0; 3])?;
     let chunks = cells.chunks(PART).zip(vertices.chunks_mut(PART)).collect();
-    run.in_steps(chunks, [0.1, 0.25], |(cells, positions): (&[u32], &mut [_])| {
+    run.in_steps(chunks, [0.15, 0.3], |(cells, positions): (&[u32], &mut [_])| {
         orthocenter_positions(regular, cells, positions, run)
     })?;
-    let pieces = run.in_steps(parts(edges.ends.len()), [0.25, 0.5], |range| {
+    let separates = |cell: usize, [i, j]: [usize; 2]| {
+        let inner = division.shares[cell].inner();
+        (inner >> i ^ inner >> j) & 1 == 1
+    };
+    let edges = division.edges(regular, [0.3, 0.35], separates, &mut room, run)?;
+    let pieces = run.in_steps(edges.chunks(PART / 8).collect(), [0.35, 0.5], |edges| {
         let mut room = Room::new(run);
-        let piece = Piece::new(regular, sides, edges, &vertex_of_cell, range, &mut room)?;
-        Ok((piece, room))
+        Ok((Faces::new(regular, division, edges, &vertex_of_cell, &mut room)?, room))
     })?;
-    let faces = pieces.iter().map(|(piece, _)| piece.inner.len()).sum();
+    drop((vertex_of_cell, edges));
+    let count = pieces.iter().map(|(piece, _)| piece.ends.len()).sum();
     let corners = pieces.iter().map(|(piece, _)| piece.rings.len()).sum();
     if corners > u32::MAX as usize {
         return Err(Error::new(Status::LimitExceeded, "more than 2^32 - 1 indices"));
     }
-    let (mut offsets, mut indices) = (room.vec(faces + 1)?, room.vec(corners)?);
-    let (mut inner_pole, mut outer_pole) = (room.vec(faces)?, room.vec(faces)?);
+    let (mut offsets, mut indices) = (room.vec(count + 1)?, room.vec(corners)?);
+    let (mut inner_pole, mut outer_pole) = (room.vec(count)?, room.vec(count)?);
     offsets.push(0);
     for (piece, _) in pieces {
         run.poll()?;
         let begin = indices.len();
         offsets.extend(piece.ends.iter().map(|&end| (begin + end as usize) as u32));
         indices.extend(piece.rings);
-        inner_pole.extend(piece.inner);
-        outer_pole.extend(piece.outer);
+        inner_pole.extend(piece.inner_pole);
+        outer_pole.extend(piece.outer_pole);
     }
     let pole = |name: &str, poles| Attribute::new(name, Element::Face, 1, Values::U32(poles));
     let parts = ComplexParts {
@@ -76,46 +86,62 @@ pub(super) fn extract(
     Complex::sound_in(parts, run)
 }
 
-/// The faces of some of the edges.
+/// Walks round edges at a time: each waits for memory at every step, and the others go on meanwhile.
+const WALKS: usize = 8;
+
+/// The faces dual to some of the edges.
 #[derive(Default)]
-struct Piece {
+struct Faces {
     rings: Vec<u32>,
     /// Where the ring of each face ends.
     ends: Vec<u32>,
-    inner: Vec<u32>,
-    outer: Vec<u32>,
+    inner_pole: Vec<u32>,
+    outer_pole: Vec<u32>,
 }
 
-impl Piece {
+impl Faces {
     fn new(
         regular: &Triangulation,
-        sides: &[Option<Label>],
-        edges: &Edges,
+        division: &Division,
+        edges: &[Edge],
         vertex_of_cell: &[u32],
-        range: Range<usize>,
         room: &mut Room<'_>,
     ) -> Result<Self> {
-        let pole_of_vertex = regular.row_of_vertex();
-        let mut piece = Piece::default();
-        let mut ring = Vec::new();
-        for (&[a, b], &cell) in edges.ends[range.clone()].iter().zip(&edges.cells[range]) {
-            let (inner, outer) = match (sides[a as usize], sides[b as usize]) {
-                (Some(Label::Inner), Some(Label::Outer)) => (a, b),
-                (Some(Label::Outer), Some(Label::Inner)) => (b, a),
-                _ => continue,
-            };
-            if !regular.ring(cell, inner, outer, &mut ring) {
-                return Err(Error::new(
-                    Status::Internal,
-                    "a facet between an inner and an outer pole is unbounded",
-                ));
+        let mut faces = Faces::default();
+        let mut rings: [Vec<u32>; WALKS] = Default::default();
+        let mut walks = Vec::with_capacity(WALKS);
+        for edges in edges.chunks(WALKS) {
+            for (place, edge) in edges.iter().enumerate() {
+                let [a, b] = edge.ends;
+                let [inner, outer] = if division.inner[a as usize] { [a, b] } else { [b, a] };
+                room.push(&mut faces.inner_pole, regular.row_of_vertex()[inner as usize])?;
+                room.push(&mut faces.outer_pole, regular.row_of_vertex()[outer as usize])?;
+                walks.push((place, Turn::new(regular, edge.cell, inner, outer), NONE));
             }
-            room.grow(&mut piece.rings, ring.len())?;
-            piece.rings.extend(ring.iter().map(|&cell| vertex_of_cell[cell as usize]));
-            room.push(&mut piece.ends, piece.rings.len() as u32)?;
-            room.push(&mut piece.inner, pole_of_vertex[inner as usize])?;
-            room.push(&mut piece.outer, pole_of_vertex[outer as usize])?;
+            while !walks.is_empty() {
+                // What has to be fetched is asked for by all of them before any is looked at: a branch that was
+                // guessed wrongly waits for nothing then.
+                for (place, turn, next) in &mut walks {
+                    room.push(&mut rings[*place], vertex_of_cell[turn.cell() as usize])?;
+                    *next = turn.next();
+                }
+                for (_, turn, next) in &mut walks {
+                    if *next == NONE {
+                        return Err(Error::new(
+                            Status::Internal,
+                            "a facet between an inner and an outer pole is unbounded",
+                        ));
+                    }
+                    turn.enter(*next);
+                }
+                walks.retain(|&(place, _, next)| next != edges[place].cell);
+            }
+            for ring in &mut rings[..edges.len()] {
+                room.grow(&mut faces.rings, ring.len())?;
+                faces.rings.append(ring);
+                room.push(&mut faces.ends, faces.rings.len() as u32)?;
+            }
         }
-        Ok(piece)
+        Ok(faces)
     }
 }

@@ -32,7 +32,7 @@ impl PowerCrust {
                 let mut room = Room::new(run);
                 room.keep(edges.bytes())?;
                 self.check_balls(&mut report, run)?;
-                self.check_labels(&mut report, &edges, run)?;
+                self.check_labels(&mut report, run)?;
                 self.check_closed(&mut report, run)?;
                 self.check_faces(&mut report, &edges, run)?;
                 self.check_unbounded(&mut report, run)?;
@@ -79,8 +79,8 @@ impl PowerCrust {
     }
 
     /// Labelling once more gives the same labels, those of hidden poles included.
-    fn check_labels(&self, report: &mut Validation, edges: &Edges, run: &Run<'_>) -> Result<()> {
-        let again = label_poles(&self.poles, &self.regular, edges, &self.options, run)?;
+    fn check_labels(&self, report: &mut Validation, run: &Run<'_>) -> Result<()> {
+        let again = label_poles(&self.poles, &self.regular, &self.options, run)?;
         let pairs = self.labels.iter().zip(&again.labels);
         for (pole, (label, expected)) in pairs.enumerate() {
             report.check(label == expected, ElementKind::Vertex, pole as u64, || {

@@ -179,70 +179,158 @@ impl Triangulation {
     /// with the cell that has the hull behind it. `cell` must have both vertices. Cost: O(ring).
     pub fn ring(&self, cell: u32, a: u32, b: u32, ring: &mut Vec<u32>) -> bool {
         ring.clear();
-        let mut current = cell;
+        ring.push(cell);
+        let mut turn = Turn::new(self, cell, a, b);
         loop {
-            ring.push(current);
-            match self.turn(current, a, b) {
+            match turn.step() {
                 NONE => break,
                 next if next == cell => {
                     let least = (0..ring.len()).min_by_key(|&i| ring[i]).unwrap_or(0);
                     ring.rotate_left(least);
                     return true;
                 }
-                next => current = next,
+                next => ring.push(next),
             }
         }
         // The hull cuts the ring: its first part lies clockwise of the given cell.
         let ahead = ring.len();
-        current = self.turn(cell, b, a);
-        while current != NONE {
-            ring.push(current);
-            current = self.turn(current, b, a);
+        let mut turn = Turn::new(self, cell, b, a);
+        loop {
+            match turn.step() {
+                NONE => break,
+                next => ring.push(next),
+            }
         }
         ring[ahead..].reverse();
         ring.rotate_left(ahead);
         false
     }
 
-    /// Whether any cell round the edge from `a` to `b` is what is looked for, given one of the cells; looks no
-    /// further then. Cost: as [`Triangulation::ring`], or less.
-    pub(crate) fn any_round(
-        &self,
-        cell: u32,
-        a: u32,
-        b: u32,
-        is_it: impl Fn(&[u32; 4]) -> bool,
-    ) -> bool {
-        for [a, b] in [[a, b], [b, a]] {
-            let mut current = cell;
-            while current != NONE {
-                if is_it(&self.cells[current as usize]) {
-                    return true;
-                }
-                current = self.turn(current, a, b);
-                if current == cell {
-                    return false;
-                }
-            }
-            // The hull cuts the ring: the rest lies the other way.
-        }
-        false
-    }
-
-    /// The next cell counterclockwise round the edge from `a` to `b`, or [`NONE`].
-    fn turn(&self, cell: u32, a: u32, b: u32) -> u32 {
-        self.neighbors[cell as usize][self.facet_ahead(cell, a, b)]
+    /// The edges of a cell, as pairs of slots, that it is the first to have, as far as its neighbours tell: no lesser
+    /// cell is next to it round the edge. So every edge is found in its least cell, and now and then in others.
+    #[inline]
+    pub(crate) fn edges_met(&self, cell: u32) -> &'static [[usize; 2]] {
+        const TABLE: [([[usize; 2]; 6], usize); 16] = edges_by_lesser_neighbors();
+        let neighbors = self.neighbors[cell as usize];
+        let lesser = (0..4).fold(0, |bits, i| bits | usize::from(neighbors[i] < cell) << i);
+        let (edges, count) = &TABLE[lesser];
+        &edges[..*count]
     }
 
     /// The facet of the cell through which a counterclockwise turn round the edge from `a` to `b`
     /// leaves it. The cell must have both vertices.
     pub(crate) fn facet_ahead(&self, cell: u32, a: u32, b: u32) -> usize {
-        let [_, p, q, r] = self.cells[cell as usize];
-        // Without branches, which nobody could predict.
-        let slot_of =
-            |v: u32| usize::from(p == v) + 2 * usize::from(q == v) + 3 * usize::from(r == v);
-        // With (a, b, k, l) positive, the turn goes from k to l: it leaves through facet a b l.
-        let [_, _, k, _] = EVEN[slot_of(a)][slot_of(b)];
+        let corners = &self.cells[cell as usize];
+        let [_, _, k, _] = EVEN[slot_of(corners, a)][slot_of(corners, b)];
         k
+    }
+}
+
+/// The slot of a vertex that the cell has. Without branches, which nobody could predict.
+#[inline]
+fn slot_of([_, p, q, r]: &[u32; 4], v: u32) -> usize {
+    usize::from(*p == v) + 2 * usize::from(*q == v) + 3 * usize::from(*r == v)
+}
+
+/// For each set of facets, a bit each, the edges round which no turn passes any of them.
+const fn edges_by_lesser_neighbors() -> [([[usize; 2]; 6], usize); 16] {
+    let mut table = [([[0; 2]; 6], 0); 16];
+    let mut facets = 0;
+    while facets < 16 {
+        let (edges, count) = &mut table[facets];
+        let mut pair = 0;
+        while pair < 16 {
+            let [i, j] = [pair / 4, pair % 4];
+            // Round edge i j turns pass the facets opposite the other two.
+            if i < j && facets & !(1 << i | 1 << j) == 0 {
+                edges[*count] = [i, j];
+                *count += 1;
+            }
+            pair += 1;
+        }
+        facets += 1;
+    }
+    table
+}
+
+/// A turn round an edge, counterclockwise seen from its second end to its first, cell by cell.
+pub(crate) struct Turn<'a> {
+    t: &'a Triangulation,
+    cell: u32,
+    /// The exclusive or of the two ends.
+    ends: u32,
+    /// The vertices of the cell that are not ends: the turn goes from the first to the second, and so leaves the
+    /// cell opposite the first.
+    behind: u32,
+    ahead: u32,
+}
+
+impl<'a> Turn<'a> {
+    /// A turn round the edge from `a` to `b`, both of them vertices of the cell in which it begins.
+    pub(crate) fn new(t: &'a Triangulation, cell: u32, a: u32, b: u32) -> Self {
+        let corners = &t.cells[cell as usize];
+        // With (a, b, k, l) positive, the turn goes from k to l: it leaves through facet a b l.
+        let [_, _, k, l] = EVEN[slot_of(corners, a)][slot_of(corners, b)];
+        Turn { t, cell, ends: a ^ b, behind: corners[k], ahead: corners[l] }
+    }
+
+    /// The cell that the turn has come to.
+    #[inline]
+    pub(crate) fn cell(&self) -> u32 {
+        self.cell
+    }
+
+    /// The next cell; at the hull [`NONE`].
+    #[inline]
+    pub(crate) fn next(&self) -> u32 {
+        let facet = slot_of(&self.t.cells[self.cell as usize], self.behind);
+        self.t.neighbors[self.cell as usize][facet]
+    }
+
+    /// Goes on to the next cell, given it.
+    #[inline]
+    pub(crate) fn enter(&mut self, next: u32) {
+        // Of its vertices three are known: the exclusive or of these and of all four is the last.
+        let [p, q, r, s] = self.t.cells[next as usize];
+        let beyond = p ^ q ^ r ^ s ^ self.ends ^ self.ahead;
+        (self.behind, self.ahead) = (self.ahead, beyond);
+        self.cell = next;
+    }
+
+    /// Goes on to the next cell, if there is one, and returns it.
+    pub(crate) fn step(&mut self) -> u32 {
+        let next = self.next();
+        if next != NONE {
+            self.enter(next);
+        }
+        next
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::job::Job;
+    use crate::{Points, Triangulation};
+    use std::sync::Arc;
+
+    #[test]
+    fn every_edge_is_met_in_its_least_cell() {
+        let rows = (0..216u32).map(|i| [i % 6, i / 6 % 6, i / 36].map(f64::from));
+        let points = Points::new(rows, Default::default(), &Job::default()).unwrap();
+        let t = Triangulation::delaunay(&Arc::new(points), &Job::default()).unwrap();
+        let edges = t.edges(&t.incidence(&Job::default()).unwrap(), &Job::default()).unwrap();
+        let mut met = Vec::new();
+        for (cell, corners) in t.cells().iter().enumerate() {
+            for &[i, j] in t.edges_met(cell as u32) {
+                let [a, b] = [corners[i], corners[j]];
+                met.push(([a.min(b), a.max(b)], cell as u32));
+            }
+        }
+        // Now and then another cell meets it too.
+        assert!(met.len() > edges.ends.len() && met.len() < 2 * edges.ends.len());
+        met.sort();
+        met.dedup_by_key(|(ends, _)| *ends);
+        let expected: Vec<_> = edges.ends.into_iter().zip(edges.cells).collect();
+        assert_eq!(met, expected);
     }
 }

@@ -27,6 +27,7 @@ mod walk;
 mod worker;
 
 pub use cells::CELL_LIMIT;
+pub(crate) use incidence::Turn;
 pub use incidence::{Edges, Incidence};
 
 use crate::error::{ElementKind, Error, Result, Status};
