@@ -31,21 +31,8 @@ pub(super) fn arrange(
         return fill(slots, places, first, begins, run);
     }
     let middle = (begins[half] - begin) as usize;
-    // As many cells belong from before the middle behind it as the other way.
-    let mut before = 0;
-    for after in run.watch(middle..slots.cells.len()) {
-        let after = after?;
-        if places.partition(slots.cells[after]) >= first + half {
-            continue;
-        }
-        while places.partition(slots.cells[before]) < first + half {
-            before += 1;
-            if before.is_multiple_of(1 << 14) {
-                run.poll()?;
-            }
-        }
-        slots.swap(before, after);
-    }
+    let is_behind = |cell| places.partition(cell) >= first + half;
+    exchange(slots.again(), middle, is_behind, threads, run)?;
     let (before, after) = slots.split_at(middle);
     let halves = [
         (before, first, &begins[..=half], threads / 2),
@@ -57,6 +44,57 @@ pub(super) fn arrange(
         return halves.into_iter().try_for_each(work);
     }
     run.in_parallel(halves.into(), work).map(drop)
+}
+
+/// Exchanges cells before the middle that belong behind it with as many that belong the other way.
+fn exchange(
+    mut slots: Stretch<'_>,
+    middle: usize,
+    is_behind: impl Fn([u32; 4]) -> bool + Sync,
+    threads: usize,
+    run: &Run<'_>,
+) -> Result<()> {
+    // Each thread exchanges between a part of the one side and a part of the other until one of them has no more.
+    let (mut before, mut after) = slots.again().split_at(middle);
+    let shares = [before.cells.len(), after.cells.len()].map(|len| len.div_ceil(threads.max(1)));
+    let (mut pairs, mut begins) = (Vec::new(), [0, middle]);
+    while !before.cells.is_empty() || !after.cells.is_empty() {
+        let [its_before, its_after] =
+            [before.cells.len().min(shares[0]), after.cells.len().min(shares[1])];
+        let (one, rest_before) = before.split_at(its_before);
+        let (other, rest_after) = after.split_at(its_after);
+        pairs.push((begins, one, other));
+        (before, after) = (rest_before, rest_after);
+        begins = [begins[0] + its_before, begins[1] + its_after];
+    }
+    let left = run.in_parallel(pairs, |([begin, begin_behind], mut one, mut other)| {
+        let mut at = 0;
+        for at_behind in run.watch(0..other.cells.len()) {
+            let at_behind = at_behind?;
+            if is_behind(other.cells[at_behind]) {
+                continue;
+            }
+            while at < one.cells.len() && !is_behind(one.cells[at]) {
+                at += 1;
+            }
+            if at == one.cells.len() {
+                let left = begin_behind + at_behind..begin_behind + other.cells.len();
+                return Ok((0..0, left));
+            }
+            one.swap_with(at, &mut other, at_behind);
+        }
+        Ok((begin + at..begin + one.cells.len(), 0..0))
+    })?;
+    // On the whole both sides have as many left.
+    let mut behind = left.iter().flat_map(|(_, behind)| behind.clone());
+    for at in run.watch(left.iter().flat_map(|(before, _)| before.clone())) {
+        let at = at?;
+        if is_behind(slots.cells[at]) {
+            let other = behind.find(|&other| !is_behind(slots.cells[other]));
+            slots.swap(at, other.unwrap_or(at));
+        }
+    }
+    Ok(())
 }
 
 /// [`arrange`] on one thread.

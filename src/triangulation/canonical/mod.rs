@@ -76,6 +76,16 @@ impl<'a> Stretch<'a> {
         (Stretch { cells, neighbors, apart }, others)
     }
 
+    /// Exchanges a slot with one of another stretch.
+    #[inline(always)]
+    fn swap_with(&mut self, slot: usize, other: &mut Stretch<'_>, other_slot: usize) {
+        std::mem::swap(&mut self.cells[slot], &mut other.cells[other_slot]);
+        std::mem::swap(&mut self.neighbors[slot], &mut other.neighbors[other_slot]);
+        if let (Some(apart), Some(others)) = (&mut self.apart, &mut other.apart) {
+            std::mem::swap(&mut apart[slot], &mut others[other_slot]);
+        }
+    }
+
     #[inline(always)]
     fn swap(&mut self, a: usize, b: usize) {
         self.cells.swap(a, b);
