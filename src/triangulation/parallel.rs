@@ -14,7 +14,7 @@ use crate::predicates::around::Site;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Points between two looks at the clock.
-const TICK: usize = 64;
+const TICK: usize = 256;
 /// The fewest points that are worth a thread.
 const PER_THREAD: usize = if cfg!(test) { 16 } else { 1 << 13 };
 /// The fewest points that are worth a thread in another pass: their threads have their arrays already.
@@ -156,17 +156,20 @@ impl<'a, S: Site> Crew<'a, S> {
         let work = |(id, ((mut worker, mut patch), &begun)): Part<'_>| {
             let own = vertices().filter(|&v| usize::from(boxes[v as usize]) == id);
             let mut room = Room::new(run);
-            let mut left = Vec::new();
+            let (mut left, mut inserted) = (Vec::new(), 0);
             for (i, vertex) in own.enumerate() {
                 if i % TICK == 0 {
-                    run.tick(done.load(Ordering::Relaxed), sites.len())?;
+                    // Seldom: what several threads write goes from one processor to the other each time.
+                    let done = done.fetch_add(std::mem::take(&mut inserted), Ordering::Relaxed);
+                    run.tick(done, sites.len())?;
                 }
                 if begun && worker.insert(&mut patch, sites, vertex, run)? {
-                    done.fetch_add(1, Ordering::Relaxed);
+                    inserted += 1;
                 } else {
                     room.push(&mut left, vertex)?;
                 }
             }
+            done.fetch_add(inserted, Ordering::Relaxed);
             Ok((worker, left))
         };
         let results = run.in_parallel(parts.collect(), work)?;
