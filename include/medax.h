@@ -845,9 +845,10 @@ MEDAX_API medax_view_u32 medax_points_row_of_vertex(const medax_points *points);
  * \return Rows x 1: the first row with the same coordinates; `MEDAX_NONE` where the row is itself
  *         the first, or was left out. Borrowed from `points`.
  *
- * Constant time. Since 0.1.
+ * Made by the first call, in linear time; empty if there is no memory for it. Constant time afterwards. Since 0.1.
  */
-MEDAX_API medax_view_u32 medax_points_duplicate_of(const medax_points *points);
+MEDAX_API
+medax_view_u32 medax_points_duplicate_of(const medax_points *points);
 
 /**
  * The number of distinct points.

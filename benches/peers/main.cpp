@@ -34,7 +34,9 @@ std::optional<Measured> run(const Peer& peer, const Workload& workload) {
     if (child == 0) {
         int code = 1;
 #ifdef __GLIBC__
-        // What making the workload has left in the heap is no part of the build's peak.
+        // What making the workload has left in the heap is no part of the build's peak, nor what the heap would keep
+        // because large blocks were freed before: these go back to the system, as in a process that has just begun.
+        mallopt(M_MMAP_THRESHOLD, 128 << 10);
         malloc_trim(0);
 #endif
         try {

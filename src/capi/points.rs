@@ -164,7 +164,7 @@ pub unsafe extern "C" fn medax_points_row_of_vertex(points: *const medax_points)
 /// \return Rows x 1: the first row with the same coordinates; `MEDAX_NONE` where the row is itself
 ///         the first, or was left out. Borrowed from `points`.
 ///
-/// Constant time. Since 0.1.
+/// Made by the first call, in linear time; empty if there is no memory for it. Constant time afterwards. Since 0.1.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn medax_points_duplicate_of(points: *const medax_points) -> medax_view_u32 {
     indices(points, Points::duplicate_of)

@@ -5,6 +5,7 @@ use super::{Bounds, COORDINATE_MAX, COORDINATE_MIN, POINT_LIMIT, Points, PointsO
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::index::NONE;
 use crate::job::{Room, Run, Stage};
+use std::sync::OnceLock;
 
 /// [`Points::new`], where a row that is `None` is left out unseen.
 pub(super) fn build(
@@ -33,11 +34,9 @@ pub(super) fn build(
         let (&row, vertex) = numbered?;
         vertex_of_row[row as usize] = vertex;
     }
-    let mut duplicate_of = room.filled(total, NONE)?;
     let mut duplicate_count = 0;
     for rows in run.watch(repeated.into_iter().flatten()) {
         let (row, first) = rows?;
-        duplicate_of[row as usize] = first;
         vertex_of_row[row as usize] = vertex_of_row[first as usize];
         duplicate_count += 1;
     }
@@ -45,7 +44,7 @@ pub(super) fn build(
         coords,
         vertex_of_row,
         row_of_vertex,
-        duplicate_of,
+        duplicate_of: OnceLock::new(),
         duplicate_count,
         skipped_count,
         bounds,

@@ -4,6 +4,7 @@ use super::{Bounds, Points, check_coordinates};
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
 use crate::job::{Job, Room, Run, Stage};
+use std::sync::OnceLock;
 
 /// Half the far box's side, in half extents of the longest side of the sample's bounding box.
 ///
@@ -52,7 +53,7 @@ impl Points {
             coords,
             row_of_vertex,
             vertex_of_row: room.collect(self.vertex_of_row.iter().copied())?,
-            duplicate_of: room.collect(self.duplicate_of.iter().copied())?,
+            duplicate_of: OnceLock::new(),
             duplicate_count: self.duplicate_count,
             skipped_count: self.skipped_count,
         })

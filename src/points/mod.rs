@@ -13,7 +13,9 @@ pub use far_box::FAR_BOX_LEN;
 pub(crate) use build::check_coordinates;
 
 use crate::error::Result;
+use crate::index::NONE;
 use crate::job::{Job, Run, Stage};
+use std::sync::OnceLock;
 
 /// The largest absolute coordinate: 2^200.
 ///
@@ -40,15 +42,26 @@ pub struct PointsOptions {
 /// Invariants: no two vertices are equal; every coordinate is finite and 0 or within
 /// [`COORDINATE_MIN`, `COORDINATE_MAX`] in absolute value, and never -0; `row_of_vertex[v]` is the
 /// first row equal to vertex `v`; `vertex_of_row[r]` is [`NONE`] exactly for rows left out.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Points {
     coords: Vec<[f64; 3]>,
     vertex_of_row: Vec<u32>,
     row_of_vertex: Vec<u32>,
-    duplicate_of: Vec<u32>,
     duplicate_count: usize,
     skipped_count: usize,
     bounds: Bounds,
+    /// Made from the other maps when it is first asked for: nearly always nobody does.
+    duplicate_of: OnceLock<Vec<u32>>,
+}
+
+/// Equal in all that was read, whatever has been asked for since.
+impl PartialEq for Points {
+    fn eq(&self, other: &Self) -> bool {
+        self.coords == other.coords
+            && self.vertex_of_row == other.vertex_of_row
+            && self.row_of_vertex == other.row_of_vertex
+            && self.skipped_count == other.skipped_count
+    }
 }
 
 impl Points {
@@ -115,8 +128,22 @@ impl Points {
 
     /// For each input row the first row with the same coordinates, or [`NONE`] where the row is
     /// itself the first, or was left out.
+    ///
+    /// Made at the first call, in O(n); empty if there is no memory for it.
     pub fn duplicate_of(&self) -> &[u32] {
-        &self.duplicate_of
+        self.duplicate_of.get_or_init(|| {
+            let mut first = Vec::new();
+            if first.try_reserve_exact(self.row_count()).is_ok() {
+                first.extend((0..).zip(&self.vertex_of_row).map(|(row, &vertex)| match vertex {
+                    NONE => NONE,
+                    vertex => match self.row_of_vertex[vertex as usize] {
+                        first if first == row => NONE,
+                        first => first,
+                    },
+                }));
+            }
+            first
+        })
     }
 
     /// The number of rows that repeat an earlier one.
@@ -131,7 +158,7 @@ impl Points {
 
     /// What the arrays take.
     pub(crate) fn bytes(&self) -> usize {
-        size_of_val(self.coords()) + 8 * self.row_count() + 4 * self.len()
+        size_of_val(self.coords()) + 4 * self.row_count() + 4 * self.len()
     }
 
     /// The smallest box that holds every point.
