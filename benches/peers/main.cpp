@@ -34,9 +34,7 @@ std::optional<Measured> run(const Peer& peer, const Workload& workload) {
     if (child == 0) {
         int code = 1;
 #ifdef __GLIBC__
-        // What making the workload has left in the heap is no part of the build's peak, nor what the heap would keep
-        // because large blocks were freed before: these go back to the system, as in a process that has just begun.
-        mallopt(M_MMAP_THRESHOLD, 128 << 10);
+        // What making the workload has left in the heap is no part of the build's peak.
         malloc_trim(0);
 #endif
         try {
@@ -117,6 +115,11 @@ bool compare(const Workload& workload, const std::vector<Peer>& peers, int round
 }  // namespace
 
 int main(int argc, char** argv) {
+#ifdef __GLIBC__
+    // Large blocks go back to the system when they are freed, also after others were: so a peak is what a build needs, not
+    // what the heap keeps of it, or had to spare from making the workload.
+    mallopt(M_MMAP_THRESHOLD, 128 << 10);
+#endif
     std::size_t count = 1000000;
     int rounds = 3;
     unsigned threads = 1;

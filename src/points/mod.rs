@@ -67,8 +67,8 @@ impl PartialEq for Points {
 impl Points {
     /// Checks, merges and orders the given rows.
     ///
-    /// Errors: [`Status::NonFinite`] and [`Status::CoordinateRange`] with the row,
-    /// [`Status::TooFewPoints`] when no row is left, [`Status::LimitExceeded`] past
+    /// Errors: [`crate::Status::NonFinite`] and [`crate::Status::CoordinateRange`] with the row,
+    /// [`crate::Status::TooFewPoints`] when no row is left, [`crate::Status::LimitExceeded`] past
     /// [`POINT_LIMIT`]. Cost: O(n log n).
     pub fn new(
         rows: impl ExactSizeIterator<Item = [f64; 3]>,
