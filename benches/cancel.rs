@@ -73,7 +73,7 @@ fn main() {
     let free = Job::default();
     let rows = &ellipsoid(count)[..];
     let points =
-        Arc::new(Points::new(rows.iter().copied(), PointsOptions::default(), &free).unwrap());
+        Arc::new(Points::new(&rows, PointsOptions::default(), &free).unwrap());
     let triangulation = Arc::new(Triangulation::delaunay(&points, &free).unwrap());
     let dual = Arc::new(Dual::new(&triangulation, DualOptions { facets: true }, &free).unwrap());
     let poles = Poles::new(&dual, &free).unwrap();
@@ -85,7 +85,7 @@ fn main() {
 
     measure("sample", |job| sample(Shape::Genus3, SampleOptions::default(), job).map(drop));
     measure("points", |job| {
-        Points::new(rows.iter().copied(), PointsOptions::default(), job).map(drop)
+        Points::new(&rows, PointsOptions::default(), job).map(drop)
     });
     measure("Delaunay", |job| Triangulation::delaunay(&points, job).map(drop));
     measure("its validate", |job| triangulation.validate(job).map(drop));

@@ -30,7 +30,7 @@ pub(crate) fn sort_by_key<T: Copy>(
 }
 
 /// [`sort_by_key`] with all threads of the job.
-pub(crate) fn sort_by_key_in_parallel<T: Copy + Send + Sync>(
+pub(crate) fn sort_by_key_in_parallel<T: Copy + Default + Send + Sync>(
     items: &mut Vec<T>,
     key: impl Fn(&T) -> u64 + Sync,
     run: &Run<'_>,
@@ -39,7 +39,7 @@ pub(crate) fn sort_by_key_in_parallel<T: Copy + Send + Sync>(
         return sort_by_key(items, key, run);
     }
     let mut room = Room::new(run);
-    let mut sorted = room.filled(items.len(), items[0])?;
+    let mut sorted = room.filled(items.len(), T::default())?;
     let Some(ends) = distribute(items, &mut sorted, &key, run)? else { return Ok(()) };
     // Digits that follow each other make up a part.
     let (mut rest, mut spare) = (&mut sorted[..], &mut items[..]);

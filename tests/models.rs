@@ -167,8 +167,7 @@ fn built_in_shapes() {
     tabulate("shape", &Shape::ALL, |&shape| {
         let job = Job::default();
         let samples = sample(shape, SampleOptions::default(), &job).unwrap();
-        let rows = samples.points().iter().copied();
-        let points = Points::new(rows, PointsOptions::default(), &job).unwrap();
+        let points = Points::new(samples.points(), PointsOptions::default(), &job).unwrap();
         let form = (u64::from(shape.components()), u64::from(shape.genus()));
         reconstruct(
             shape.name(),

@@ -116,9 +116,9 @@ unsafe fn create<T: Copy + Into<f64>>(
     boundary::status(|| {
         let out = Out::new(out_points, "out_points")?;
         let options = options::read(options, "options")?.translate()?;
-        let rows = view::points(xyz, count, stride_bytes, "xyz")?;
+        let (count, row) = view::points(xyz, count, stride_bytes, "xyz")?;
         let mut own = None;
-        let points = Points::new(rows, options, handle::job(job, &mut own))?;
+        let points = Points::by_row(count, row, options, handle::job(job, &mut own))?;
         out.put(handle::new(medax_points { points: Arc::new(points) }));
         Ok(())
     })

@@ -10,6 +10,7 @@
 
 use crate::error::{Error, Result, Status};
 use std::ffi::{CStr, c_char};
+use std::mem::MaybeUninit;
 use std::{ptr, slice};
 
 /// Rows of floats: row `i` is `data[i * cols]` to `data[i * cols + cols - 1]`.
@@ -223,7 +224,7 @@ pub(super) unsafe fn rows<'a, T: Copy, const COLS: usize>(
     unsafe { slice(data.cast::<[T; COLS]>(), count, name) }
 }
 
-/// Points in the caller's array, `stride` bytes apart; 0 stands for no gap.
+/// How many points, and which, in the caller's array, `stride` bytes apart; 0 stands for no gap.
 ///
 /// # Safety
 /// `data` is NULL or points at `count` such points, which stay as they are during `'a`.
@@ -232,18 +233,23 @@ pub(super) unsafe fn points<'a, T: Copy + Into<f64>>(
     count: usize,
     stride: usize,
     name: &str,
-) -> Result<impl ExactSizeIterator<Item = [f64; 3]> + use<'a, T>> {
-    if data.is_null() && count != 0 {
-        return Err(null(name));
-    }
-    let stride = if stride == 0 { 3 * size_of::<T>() } else { stride };
+) -> Result<(usize, impl Fn(usize) -> [f64; 3] + Sync + use<'a, T>)> {
+    let row = 3 * size_of::<T>();
+    let stride = if stride == 0 { row } else { stride };
     check_extent::<T>(count, 3, stride, name)?;
-    Ok((0..count).map(move |row| {
-        let point = data.cast::<u8>().wrapping_add(row * stride).cast::<[T; 3]>();
-        // SAFETY: the caller promises three values at every `row * stride` bytes; `check_extent`
-        // excludes an overflow of that product. Any stride may leave them unaligned.
+    let bytes: &'a [MaybeUninit<u8>] = match (count, data.is_null()) {
+        (0, _) => &[],
+        (_, true) => return Err(null(name)),
+        // SAFETY: the caller promises points at every stride, up to the end of the last; `check_extent` excludes an
+        // overflow. What is between them may be anything.
+        _ => unsafe { slice::from_raw_parts(data.cast(), (count - 1) * stride + row) },
+    };
+    let point = move |i: usize| {
+        let point: *const [T; 3] = bytes[i * stride..][..row].as_ptr().cast();
+        // SAFETY: the caller promises three values at every stride, which may leave them unaligned.
         unsafe { point.read_unaligned() }.map(Into::into)
-    }))
+    };
+    Ok((count, point))
 }
 
 /// Errors unless `count` rows of `cols` values, `stride` bytes apart, fit into memory.

@@ -33,12 +33,15 @@ pub(super) fn triangulate(
         _ => error,
     };
     let grid = options.round_poles.then(|| Grid::of(poles));
-    let center = |&[x, y, z, _]: &[f64; 4]| match grid {
-        Some(grid) => [x, y, z].map(|x| round(x, grid.step)),
-        None => [x, y, z],
+    let center = |pole: usize| {
+        let [x, y, z, _] = poles.balls()[pole];
+        match grid {
+            Some(grid) => Some([x, y, z].map(|x| round(x, grid.step))),
+            None => Some([x, y, z]),
+        }
     };
-    let centers = poles.balls().iter().map(center);
-    let points = Points::new_in(centers, PointsOptions::default(), run).map_err(of_poles)?;
+    let points = Points::by_row_in(poles.len(), center, PointsOptions::default(), run);
+    let points = points.map_err(of_poles)?;
     let mut room = Room::new(run);
     room.keep(points.bytes())?;
     let rounded = grid.map(|grid| grid.weights(poles, &points, &mut room, run)).transpose()?;

@@ -192,7 +192,7 @@ mod tests {
             (state >> 40) as f64
         };
         let rows: Vec<[f64; 3]> = (0..2000).map(|_| [random(), random(), random()]).collect();
-        let points = Points::new(rows.into_iter(), Default::default(), &Job::default()).unwrap();
+        let points = Points::new(&rows, Default::default(), &Job::default()).unwrap();
         PowerCrust::build(&Arc::new(points), PowerCrustOptions::default(), &Job::default()).unwrap()
     }
 

@@ -221,7 +221,7 @@ mod tests {
             .filter(|row| row.iter().any(|&x| x == 0 || x == 6))
             .map(|row| row.map(f64::from))
             .collect();
-        let points = Points::new(rows.into_iter(), Default::default(), &Job::default()).unwrap();
+        let points = Points::new(&rows, Default::default(), &Job::default()).unwrap();
         PowerCrust::build(&Arc::new(points), PowerCrustOptions::default(), &Job::default()).unwrap()
     }
 
@@ -269,8 +269,8 @@ mod tests {
                 rows[row as usize][1] += by * step;
                 // Some poles have the place of others: their weights are those of the heaviest.
                 rows[row as usize][3] += of_weight * step;
-                let points = rows.iter().map(|&[x, y, z, _]| [x, y, z]);
-                let points = Points::new(points, Default::default(), &Job::default()).unwrap();
+                let points = |i: usize| [0, 1, 2].map(|k| rows[i][k]);
+                let points = Points::by_row(rows.len(), points, Default::default(), &Job::default()).unwrap();
                 let weights: Vec<f64> = rows.iter().map(|row| row[3]).collect();
                 let other = Triangulation::regular(&Arc::new(points), &weights, &Job::default());
                 let other = PowerCrust { regular: Arc::new(other.unwrap()), ..crust.clone() };

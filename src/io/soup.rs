@@ -67,15 +67,16 @@ impl Soup {
             return Err(Error::new(Status::TooFewPoints, "the file holds no point").at(kind, place));
         }
         if !self.is_mesh() {
-            return Points::new_in(self.vertices.iter().copied(), options, run);
+            let row = |i: usize| Some(self.vertices[i]);
+            return Points::by_row_in(self.vertices.len(), row, options, run);
         }
         let mut used: Vec<bool> = run.try_vec(self.vertices.len())?;
         used.resize(self.vertices.len(), false);
         for &v in self.faces.indices().iter().chain(self.edges.as_flattened()) {
             used[v as usize] = true;
         }
-        let rows = self.vertices.iter().zip(&used).map(|(xyz, used)| used.then_some(*xyz));
-        Points::from_rows_in(rows, options, run)
+        let row = |i: usize| used[i].then_some(self.vertices[i]);
+        Points::by_row_in(self.vertices.len(), row, options, run)
     }
 
     /// The complex of all vertices, faces, and the edges that are not a side of a face.

@@ -12,13 +12,16 @@ pub struct Bounds {
 impl Bounds {
     /// The smallest box that holds the points; `None` without points.
     pub fn of(points: impl Iterator<Item = [f64; 3]>) -> Option<Self> {
-        points.fold(None, |bounds: Option<Bounds>, p| {
-            let Bounds { min, max } = bounds.unwrap_or(Bounds { min: p, max: p });
-            Some(Bounds {
-                min: std::array::from_fn(|i| min[i].min(p[i])),
-                max: std::array::from_fn(|i| max[i].max(p[i])),
-            })
-        })
+        points.fold(None, |bounds, p| Some(Bounds::with(bounds, p)))
+    }
+
+    /// The smallest box that holds another one, if there is one, and a point.
+    pub(super) fn with(bounds: Option<Bounds>, p: [f64; 3]) -> Self {
+        let Bounds { min, max } = bounds.unwrap_or(Bounds { min: p, max: p });
+        Bounds {
+            min: std::array::from_fn(|i| min[i].min(p[i])),
+            max: std::array::from_fn(|i| max[i].max(p[i])),
+        }
     }
 
     /// The lengths of the sides.

@@ -4,17 +4,17 @@ use super::order::{Ranked, order, split_between_ranks};
 use super::{Bounds, COORDINATE_MAX, COORDINATE_MIN, POINT_LIMIT, Points, PointsOptions};
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::index::NONE;
-use crate::job::{Room, Run, Stage};
+use crate::job::{Room, Run, Stage, parts};
 use std::sync::OnceLock;
 
-/// [`Points::new`], where a row that is `None` is left out unseen.
+/// [`Points::by_row`], where a row that is `None` is left out unseen.
 pub(super) fn build(
-    rows: impl ExactSizeIterator<Item = Option<[f64; 3]>>,
+    total: usize,
+    row: impl Fn(usize) -> Option<[f64; 3]> + Sync,
     options: PointsOptions,
     run: &Run<'_>,
 ) -> Result<Points> {
     run.enter(Stage::Order)?;
-    let total = rows.len();
     if total > POINT_LIMIT {
         return Err(Error::new(
             Status::LimitExceeded,
@@ -22,13 +22,11 @@ pub(super) fn build(
         ));
     }
     let mut room = Room::new(run);
-    let kept = Kept::new(rows, options, &mut room, run)?;
-    let Some(bounds) = Bounds::of(kept.coords.iter().copied()) else {
-        return Err(Error::new(Status::TooFewPoints, "there is no point"));
-    };
-    let skipped_count = total - kept.coords.len();
-    let ranked = order(kept.coords.len(), |i| kept.coords[i], &bounds, run)?;
-    let Distinct { coords, row_of_vertex, repeated } = distinct(kept, ranked, &mut room, run)?;
+    let (bounds, kept) = check(total, &row, options, &mut room, run)?;
+    let kept = Kept { row: |i| without_negative_zero(row(i).unwrap_or_default()), numbers: kept };
+    let count = kept.numbers.as_ref().map_or(total, Vec::len);
+    let ranked = order(count, |i| kept.at(i as u32), &bounds, run)?;
+    let Distinct { coords, row_of_vertex, repeated } = distinct(&kept, ranked, &mut room, run)?;
     let mut vertex_of_row = room.filled(total, NONE)?;
     for numbered in run.watch(row_of_vertex.iter().zip(0..)) {
         let (&row, vertex) = numbered?;
@@ -46,39 +44,24 @@ pub(super) fn build(
         row_of_vertex,
         duplicate_of: OnceLock::new(),
         duplicate_count,
-        skipped_count,
+        skipped_count: total - count,
         bounds,
     })
 }
 
-/// The rows that are not left out.
-struct Kept {
-    coords: Vec<[f64; 3]>,
-    /// The number of each row, if any was left out.
-    rows: Option<Vec<u32>>,
-}
-
-impl Kept {
-    fn new(
-        rows: impl ExactSizeIterator<Item = Option<[f64; 3]>>,
-        options: PointsOptions,
-        room: &mut Room<'_>,
-        run: &Run<'_>,
-    ) -> Result<Self> {
-        let total = rows.len();
-        let mut kept = Kept { coords: room.vec(total)?, rows: None };
-        for (row, xyz) in rows.enumerate() {
-            if row % 65536 == 0 {
-                run.tick(row / 4, total)?;
-            }
-            match xyz.map(check_coordinates) {
-                Some(Ok(xyz)) => {
-                    kept.coords.push(xyz);
-                    if let Some(rows) = &mut kept.rows {
-                        rows.push(row as u32);
-                    }
-                    continue;
-                }
+/// The box of the rows that are not left out, and their numbers if any row is.
+fn check(
+    total: usize,
+    row: &(impl Fn(usize) -> Option<[f64; 3]> + Sync),
+    options: PointsOptions,
+    room: &mut Room<'_>,
+    run: &Run<'_>,
+) -> Result<(Bounds, Option<Vec<u32>>)> {
+    let found = run.in_steps(parts(total), [0.0, 0.2], |range| {
+        let (mut bounds, mut left_out) = (None, false);
+        for i in range {
+            match row(i).map(check_coordinates) {
+                Some(Ok(xyz)) => bounds = Some(Bounds::with(bounds, xyz)),
                 Some(Err(error))
                     if error.status() != Status::NonFinite || !options.skip_non_finite =>
                 {
@@ -88,28 +71,49 @@ impl Kept {
                     };
                     let message = format!("{}; {advice}", error.message());
                     let error = Error::new(error.status(), message);
-                    return Err(error.at(ElementKind::Row, row as u64));
+                    return Err(error.at(ElementKind::Row, i as u64));
                 }
-                _ => {}
-            }
-            if kept.rows.is_none() {
-                let mut rows = room.vec(total)?;
-                rows.extend(0..row as u32);
-                kept.rows = Some(rows);
+                _ => left_out = true,
             }
         }
-        run.tick(1, 4)?;
-        Ok(kept)
+        Ok((bounds, left_out))
+    })?;
+    let corners = found.iter().filter_map(|(bounds, _)| *bounds);
+    let bounds = Bounds::of(corners.flat_map(|bounds| [bounds.min, bounds.max]))
+        .ok_or_else(|| Error::new(Status::TooFewPoints, "there is no point"))?;
+    if found.iter().all(|(_, left_out)| !left_out) {
+        return Ok((bounds, None));
+    }
+    let mut kept = Vec::new();
+    for i in run.watch(0..total) {
+        let i = i?;
+        if row(i).is_some_and(|xyz| check_coordinates(xyz).is_ok()) {
+            room.push(&mut kept, i as u32)?;
+        }
+    }
+    Ok((bounds, Some(kept)))
+}
+
+/// The rows that are not left out.
+struct Kept<F> {
+    /// Given its number. In range, and without -0.
+    row: F,
+    /// The number of each, if any is left out.
+    numbers: Option<Vec<u32>>,
+}
+
+impl<F: Fn(usize) -> [f64; 3]> Kept<F> {
+    fn number(&self, point: u32) -> u32 {
+        self.numbers.as_ref().map_or(point, |numbers| numbers[point as usize])
     }
 
-    fn row(&self, point: u32) -> u32 {
-        self.rows.as_ref().map_or(point, |rows| rows[point as usize])
+    fn at(&self, point: u32) -> [f64; 3] {
+        (self.row)(self.number(point) as usize)
     }
 
     /// Whether a point of a piece in order is not equal to the one before. Equal points stand together.
     fn is_new(&self, piece: &[Ranked], i: usize) -> bool {
-        let at = |i: usize| self.coords[piece[i].1 as usize];
-        i == 0 || piece[i - 1].0 != piece[i].0 || at(i - 1) != at(i)
+        i == 0 || piece[i - 1].0 != piece[i].0 || self.at(piece[i - 1].1) != self.at(piece[i].1)
     }
 }
 
@@ -121,8 +125,8 @@ struct Distinct {
     repeated: Vec<Vec<(u32, u32)>>,
 }
 
-fn distinct(
-    kept: Kept,
+fn distinct<F: Fn(usize) -> [f64; 3] + Sync>(
+    kept: &Kept<F>,
     mut ranked: Vec<Ranked>,
     room: &mut Room<'_>,
     run: &Run<'_>,
@@ -152,10 +156,10 @@ fn distinct(
         for point in run.watch(piece.iter().enumerate()) {
             let (i, &(_, point)) = point?;
             if kept.is_new(piece, i) {
-                (coords[next], rows[next]) = (kept.coords[point as usize], kept.row(point));
+                (coords[next], rows[next]) = (kept.at(point), kept.number(point));
                 next += 1;
             } else {
-                room.push(&mut repeated, (kept.row(point), rows[next - 1]))?;
+                room.push(&mut repeated, (kept.number(point), rows[next - 1]))?;
             }
         }
         Ok(repeated)
@@ -175,6 +179,10 @@ pub(crate) fn check_coordinates(xyz: [f64; 3]) -> Result<[f64; 3]> {
             "a coordinate other than 0 lies outside [2^-160, 2^200]",
         ));
     }
-    // -0 + 0 is 0: equal points must be equal in every bit.
-    Ok(xyz.map(|x| x + 0.0))
+    Ok(without_negative_zero(xyz))
+}
+
+/// The same with -0 made 0: equal points must be equal in every bit.
+fn without_negative_zero(xyz: [f64; 3]) -> [f64; 3] {
+    xyz.map(|x| x + 0.0)
 }

@@ -70,30 +70,31 @@ impl Points {
     /// Errors: [`crate::Status::NonFinite`] and [`crate::Status::CoordinateRange`] with the row,
     /// [`crate::Status::TooFewPoints`] when no row is left, [`crate::Status::LimitExceeded`] past
     /// [`POINT_LIMIT`]. Cost: O(n log n).
-    pub fn new(
-        rows: impl ExactSizeIterator<Item = [f64; 3]>,
+    pub fn new(rows: &[[f64; 3]], options: PointsOptions, job: &Job) -> Result<Self> {
+        Points::by_row(rows.len(), |row| rows[row], options, job)
+    }
+
+    /// [`Points::new`] of rows wherever they are, given how many they are and each by its number.
+    ///
+    /// Each row is asked for several times, by several threads, and must be the same each time.
+    pub fn by_row(
+        count: usize,
+        row: impl Fn(usize) -> [f64; 3] + Sync,
         options: PointsOptions,
         job: &Job,
     ) -> Result<Self> {
-        job.run(&[(Stage::Order, 1.0)], |run| Points::new_in(rows, options, run))
+        let row = |i| Some(row(i));
+        job.run(&[(Stage::Order, 1.0)], |run| Points::by_row_in(count, row, options, run))
     }
 
-    /// [`Points::new`] as a stage of a larger build.
-    pub(crate) fn new_in(
-        rows: impl ExactSizeIterator<Item = [f64; 3]>,
+    /// [`Points::by_row`] as a stage of a larger build; a row that is `None` is left out unseen.
+    pub(crate) fn by_row_in(
+        count: usize,
+        row: impl Fn(usize) -> Option<[f64; 3]> + Sync,
         options: PointsOptions,
         run: &Run<'_>,
     ) -> Result<Self> {
-        Points::from_rows_in(rows.map(Some), options, run)
-    }
-
-    /// [`Points::new_in`] where a row that is `None` is left out unseen.
-    pub(crate) fn from_rows_in(
-        rows: impl ExactSizeIterator<Item = Option<[f64; 3]>>,
-        options: PointsOptions,
-        run: &Run<'_>,
-    ) -> Result<Self> {
-        build::build(rows, options, run)
+        build::build(count, row, options, run)
     }
 
     /// The distinct points in spatial order, in input units.

@@ -50,7 +50,7 @@ mod tests {
             [1.0, 0.0, 0.0],
         ];
         let weights = [0.0, 0.0, 0.0, 0.0, 0.0, -9.0, 0.5];
-        let points = Points::new(rows.into_iter(), Default::default(), &Job::default()).unwrap();
+        let points = Points::new(&rows, Default::default(), &Job::default()).unwrap();
         let regular = Triangulation::regular(&Arc::new(points), &weights, &Job::default()).unwrap();
         let complex = regular.to_complex().unwrap();
         assert_eq!(regular.hidden().len(), 1);

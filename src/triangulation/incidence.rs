@@ -315,8 +315,8 @@ mod tests {
 
     #[test]
     fn every_edge_is_met_in_its_least_cell() {
-        let rows = (0..216u32).map(|i| [i % 6, i / 6 % 6, i / 36].map(f64::from));
-        let points = Points::new(rows, Default::default(), &Job::default()).unwrap();
+        let row = |i: usize| [i % 6, i / 6 % 6, i / 36].map(|x| x as f64);
+        let points = Points::by_row(216, row, Default::default(), &Job::default()).unwrap();
         let t = Triangulation::delaunay(&Arc::new(points), &Job::default()).unwrap();
         let edges = t.edges(&t.incidence(&Job::default()).unwrap(), &Job::default()).unwrap();
         let mut met = Vec::new();

@@ -16,13 +16,13 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Points between two looks at the clock.
 const TICK: usize = 256;
 /// The fewest points that are worth a thread.
-const PER_THREAD: usize = if cfg!(test) { 16 } else { 1 << 13 };
+const PER_THREAD: usize = if cfg!(test) { 16 } else { 1 << 12 };
 /// The fewest points that are worth a thread in another pass: their threads have their arrays already.
 const PER_THREAD_AGAIN: usize = if cfg!(test) { 8 } else { 1 << 10 };
 /// The most threads: a box's number is a byte.
 const MOST_THREADS: usize = 255;
 /// How many vertices of a box are tried to find a cell in it.
-const TRIALS: usize = 32;
+const TRIALS: usize = 16;
 /// The most passes of several threads in a round.
 const PASSES: usize = 4;
 /// What the sides of cuts that lie below them have of their fair share of the points, in one pass after the other: what is
@@ -143,9 +143,8 @@ impl<'a, S: Site> Crew<'a, S> {
         let mut begun = Vec::new();
         for (id, worker) in self.workers[..threads].iter_mut().enumerate() {
             // Some of all its vertices: those to insert may all lie near an earlier cut.
-            let all = 0..sites.len() as u32;
-            let own = all.filter(|&v| usize::from(self.boxes[v as usize]) == id);
-            let own = own.step_by(sites.len() / (threads * TRIALS) + 1);
+            let some = (0..sites.len() as u32).step_by(sites.len() / (threads * TRIALS) + 1);
+            let own = some.filter(|&v| usize::from(self.boxes[v as usize]) == id);
             begun.push(begin_within(cells, sites, worker, self.near, &self.boxes, own));
         }
         let idle = self.workers.split_off(threads);
@@ -305,7 +304,7 @@ mod tests {
         for (name, rows, weights) in sets() {
             let build = |threads| {
                 let job = Job::new(JobOptions { threads, ..JobOptions::default() });
-                let points = Points::new(rows.iter().copied(), Default::default(), &job).unwrap();
+                let points = Points::new(&rows, Default::default(), &job).unwrap();
                 let points = Arc::new(points);
                 let delaunay = Triangulation::delaunay(&points, &job).unwrap();
                 let regular = Triangulation::regular(&points, &weights, &job).unwrap();
@@ -323,7 +322,7 @@ mod tests {
     fn most_points_are_inserted_at_once() {
         let (_, rows, _) = sets().swap_remove(0);
         let job = Job::new(JobOptions { threads: 2, ..JobOptions::default() });
-        let points = Points::new(rows.iter().copied(), Default::default(), &job).unwrap();
+        let points = Points::new(&rows, Default::default(), &job).unwrap();
         let sites = points.coords();
         let left = job.run(&[], |run| {
             let simplex =

@@ -244,8 +244,8 @@ mod tests {
 
     /// Lattice points with weights of which some hide: ties, flat hull facets, hidden vertices.
     fn triangulation() -> Triangulation {
-        let rows = (0..64u32).map(|i| [i % 4, i / 4 % 4, i / 16].map(f64::from));
-        let points = Points::new(rows, Default::default(), &Job::default()).unwrap();
+        let row = |i: usize| [i % 4, i / 4 % 4, i / 16].map(|x| x as f64);
+        let points = Points::by_row(64, row, Default::default(), &Job::default()).unwrap();
         let weights: Vec<f64> = (0..64u32).map(|i| f64::from(i * 7 % 5)).collect();
         Triangulation::regular(&Arc::new(points), &weights, &Job::default()).unwrap()
     }

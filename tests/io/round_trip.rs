@@ -299,7 +299,7 @@ fn tables_hold_points() {
 fn points_are_written_in_vertex_order_to_every_format_that_holds_points() {
     let job = Job::default();
     let rows = [[0.1, 0.2, 0.3], [1.0, 1.0, 1.0], [0.1, 0.2, 0.3], [-1e-9, 7.0, 1e9]];
-    let points = Points::new(rows.into_iter(), PointsOptions::default(), &job).unwrap();
+    let points = Points::new(&rows, PointsOptions::default(), &job).unwrap();
     let folder = tempfile::tempdir().unwrap();
     for name in ["a.ply", "a.off", "a.obj", "a.xyz", "a.pts", "a.txt", "a.csv"] {
         let path = folder.path().join(name);

@@ -48,7 +48,7 @@ fn power_tests_of_poles_seldom_need_integers() {
         }
         let job = Job::default();
         let points = |rows: &[[f64; 3]]| {
-            Arc::new(Points::new(rows.iter().copied(), Default::default(), &job).unwrap())
+            Arc::new(Points::new(&rows, Default::default(), &job).unwrap())
         };
         let poles = Arc::new(Poles::with_far_box(&points(&rows), &job).unwrap());
         let counts = |round_poles| {

@@ -89,7 +89,7 @@ proptest! {
     #[test]
     fn triangulations_equal_brute_force((rows, weights) in any_set()) {
         let job = Job::default();
-        let points = Arc::new(Points::new(rows.iter().copied(), Default::default(), &job).unwrap());
+        let points = Arc::new(Points::new(&rows, Default::default(), &job).unwrap());
         let delaunay = Triangulation::delaunay(&points, &job);
         let regular = Triangulation::regular(&points, &weights, &job);
         if is_degenerate(&delaunay) {
@@ -105,7 +105,7 @@ proptest! {
     #[test]
     fn what_follows_from_a_triangulation_is_sound((rows, weights) in any_set()) {
         let job = Job::default();
-        let points = Arc::new(Points::new(rows.iter().copied(), Default::default(), &job).unwrap());
+        let points = Arc::new(Points::new(&rows, Default::default(), &job).unwrap());
         let options = DualOptions { facets: true };
         let Ok(delaunay) = Triangulation::delaunay(&points, &job) else { return Ok(()) };
         let dual = Arc::new(Dual::new(&Arc::new(delaunay), options, &job).unwrap());

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 fn cloud(n: usize) -> Arc<Points> {
     let mut random = sets::Random(1);
     let rows: Vec<_> = (0..n).map(|_| random.cube()).collect();
-    Arc::new(Points::new(rows.into_iter(), Default::default(), &Job::default()).unwrap())
+    Arc::new(Points::new(&rows, Default::default(), &Job::default()).unwrap())
 }
 
 fn job_with(progress: impl Fn(f64, Stage) -> bool + Send + Sync + 'static) -> Job {

@@ -5,7 +5,7 @@ use medax::points::{COORDINATE_MAX, COORDINATE_MIN, FAR_BOX_LEN, PointsOptions};
 use medax::{ElementKind, Job, NONE, Points, Result, Status};
 
 fn points(rows: &[[f64; 3]]) -> Result<Points> {
-    Points::new(rows.iter().copied(), PointsOptions::default(), &Job::default())
+    Points::new(&rows, PointsOptions::default(), &Job::default())
 }
 
 #[test]
@@ -25,12 +25,12 @@ fn rows_that_are_not_numbers_are_named() {
 fn rows_that_are_not_numbers_can_be_skipped() {
     let rows = [[0.0; 3], [f64::NAN; 3], [1.0; 3], [f64::INFINITY, 0.0, 0.0], [0.0; 3]];
     let options = PointsOptions { skip_non_finite: true };
-    let p = Points::new(rows.iter().copied(), options, &Job::default()).unwrap();
+    let p = Points::new(&rows, options, &Job::default()).unwrap();
     assert_eq!((p.row_count(), p.len(), p.skipped_count(), p.duplicate_count()), (5, 2, 2, 1));
     assert_eq!(p.vertex_of_row(), [0, NONE, 1, NONE, 0]);
     assert_eq!(p.row_of_vertex(), [0, 2]);
     assert_eq!(*p.duplicate_of(), [NONE, NONE, NONE, NONE, 0]);
-    let none = Points::new([[f64::NAN; 3]].into_iter(), options, &Job::default());
+    let none = Points::new(&[[f64::NAN; 3]], options, &Job::default());
     assert_eq!(none.unwrap_err().status(), Status::TooFewPoints);
 }
 

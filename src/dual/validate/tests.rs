@@ -7,8 +7,8 @@ use std::sync::Arc;
 /// A lattice, whose cells share spheres, stretched so that centres have all their bits.
 fn dual(weighted: bool) -> Dual {
     let job = Job::default();
-    let rows = (0..27u32).map(|i| [i % 3, i / 3 % 3, i / 9].map(|x| f64::from(x) * 0.1 + 0.3));
-    let points = Arc::new(Points::new(rows, Default::default(), &job).unwrap());
+    let row = |i: usize| [i % 3, i / 3 % 3, i / 9].map(|x| x as f64 * 0.1 + 0.3);
+    let points = Arc::new(Points::by_row(27, row, Default::default(), &job).unwrap());
     let t = match weighted {
         true => {
             let weights: Vec<f64> = (0..27u32).map(|i| f64::from(i * 7 % 5) * 1e-3).collect();

@@ -10,7 +10,7 @@ fn poles() -> [Poles; 2] {
     let grid = range().flat_map(|x| range().flat_map(move |y| range().map(move |z| [x, y, z])));
     let rows: Vec<[f64; 3]> =
         grid.filter(|[x, y, z]| [9.0, 6.0].contains(&(x * x + y * y + z * z))).collect();
-    let points = Arc::new(Points::new(rows.into_iter(), Default::default(), &job).unwrap());
+    let points = Arc::new(Points::new(&rows, Default::default(), &job).unwrap());
     let t = crate::Triangulation::delaunay(&points, &job).unwrap();
     let dual = Dual::new(&Arc::new(t), DualOptions::default(), &job).unwrap();
     [Poles::new(&dual, &job).unwrap(), Poles::with_far_box(&points, &job).unwrap()]

@@ -4,11 +4,15 @@ use super::Stretch;
 use super::place::Places;
 use crate::error::Result;
 use crate::job::{Room, Run};
+use std::ops::Range;
+use std::sync::Mutex;
 
 /// Partitions that are filled in turns.
 const LANES: usize = 8;
 /// Partitions that one thread fills without dividing them first: more wait for the tables of their pages.
 const MOST: usize = if cfg!(test) { 64 } else { 640 };
+/// Slots that a thread takes at a time.
+const PIECE: usize = if cfg!(test) { 8 } else { 1 << 12 };
 
 /// Brings the cells in a stretch to their partitions, which are `first` and those that follow. `begins` is
 /// where these begin, and where the last one ends.
@@ -54,40 +58,31 @@ fn exchange(
     threads: usize,
     run: &Run<'_>,
 ) -> Result<()> {
-    // Each thread exchanges between a part of the one side and a part of the other until one of them has no more.
-    let (mut before, mut after) = slots.again().split_at(middle);
-    let shares = [before.cells.len(), after.cells.len()].map(|len| len.div_ceil(threads.max(1)));
-    let (mut pairs, mut begins) = (Vec::new(), [0, middle]);
-    while !before.cells.is_empty() || !after.cells.is_empty() {
-        let [its_before, its_after] =
-            [before.cells.len().min(shares[0]), after.cells.len().min(shares[1])];
-        let (one, rest_before) = before.split_at(its_before);
-        let (other, rest_after) = after.split_at(its_after);
-        pairs.push((begins, one, other));
-        (before, after) = (rest_before, rest_after);
-        begins = [begins[0] + its_before, begins[1] + its_after];
-    }
-    let left = run.in_parallel(pairs, |([begin, begin_behind], mut one, mut other)| {
-        let mut at = 0;
-        for at_behind in run.watch(0..other.cells.len()) {
-            let at_behind = at_behind?;
-            if is_behind(other.cells[at_behind]) {
-                continue;
+    // Each thread has a piece of either side, and takes the next where it has come to the end of one, until a side has
+    // no more.
+    let (before, after) = slots.again().split_at(middle);
+    let sides = [(0, before), (middle, after)].map(|(begin, side)| Mutex::new(pieces(begin, side)));
+    let next = |side: usize| sides[side].lock().ok().and_then(|mut pieces| pieces.next());
+    let left = run.in_parallel((0..threads.max(1)).collect(), |_| {
+        let mut own = [next(0), next(1)];
+        loop {
+            for (side, piece) in own.iter_mut().enumerate() {
+                let is_wrong = |cell| is_behind(cell) == (side == 0);
+                while piece.as_mut().is_some_and(|piece| !piece.find(is_wrong)) {
+                    run.poll()?;
+                    *piece = next(side);
+                }
             }
-            while at < one.cells.len() && !is_behind(one.cells[at]) {
-                at += 1;
+            match &mut own {
+                [Some(one), Some(other)] => one.exchange(other),
+                _ => return Ok(own.map(|piece| piece.map_or(0..0, |piece| piece.rest()))),
             }
-            if at == one.cells.len() {
-                let left = begin_behind + at_behind..begin_behind + other.cells.len();
-                return Ok((0..0, left));
-            }
-            one.swap_with(at, &mut other, at_behind);
         }
-        Ok((begin + at..begin + one.cells.len(), 0..0))
     })?;
+    drop(sides);
     // On the whole both sides have as many left.
-    let mut behind = left.iter().flat_map(|(_, behind)| behind.clone());
-    for at in run.watch(left.iter().flat_map(|(before, _)| before.clone())) {
+    let mut behind = left.iter().flat_map(|[_, behind]| behind.clone());
+    for at in run.watch(left.iter().flat_map(|[before, _]| before.clone())) {
         let at = at?;
         if is_behind(slots.cells[at]) {
             let other = behind.find(|&other| !is_behind(slots.cells[other]));
@@ -95,6 +90,50 @@ fn exchange(
         }
     }
     Ok(())
+}
+
+/// The pieces of a stretch of slots, which begins with the given one.
+fn pieces(begin: usize, slots: Stretch<'_>) -> impl Iterator<Item = Piece<'_>> {
+    let mut rest = Some((begin, slots));
+    std::iter::from_fn(move || {
+        let (begin, slots) = rest.take()?;
+        let (slots, others) = match slots.cells.len() {
+            0 => return None,
+            len => slots.split_at(len.min(PIECE)),
+        };
+        rest = Some((begin + slots.cells.len(), others));
+        Some(Piece { begin, slots, at: 0 })
+    })
+}
+
+/// Slots that one thread looks through.
+struct Piece<'a> {
+    /// The number of the first.
+    begin: usize,
+    slots: Stretch<'a>,
+    /// How many have been looked at.
+    at: usize,
+}
+
+impl Piece<'_> {
+    /// Goes on to the next cell for which it is so. Returns whether there is one.
+    fn find(&mut self, is_so: impl Fn([u32; 4]) -> bool) -> bool {
+        let found = self.slots.cells[self.at..].iter().position(|&cell| is_so(cell));
+        self.at = found.map_or(self.slots.cells.len(), |found| self.at + found);
+        found.is_some()
+    }
+
+    /// Exchanges the cells where both have come to.
+    fn exchange(&mut self, other: &mut Piece<'_>) {
+        self.slots.swap_with(self.at, &mut other.slots, other.at);
+        self.at += 1;
+        other.at += 1;
+    }
+
+    /// The slots not looked at.
+    fn rest(&self) -> Range<usize> {
+        self.begin + self.at..self.begin + self.slots.cells.len()
+    }
 }
 
 /// [`arrange`] on one thread.

@@ -113,7 +113,7 @@ mod tests {
         let rows: Vec<_> = (0..count)
             .map(|i| if i % 3 == 0 { [0.0, 0.0, random()] } else { [random(), random(), random()] })
             .collect();
-        Arc::new(Points::new(rows.into_iter(), Default::default(), &Job::default()).unwrap())
+        Arc::new(Points::new(&rows, Default::default(), &Job::default()).unwrap())
     }
 
     #[test]
