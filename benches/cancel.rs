@@ -72,8 +72,7 @@ fn main() {
     let count: usize = size.unwrap_or(200_000);
     let free = Job::default();
     let rows = &ellipsoid(count)[..];
-    let points =
-        Arc::new(Points::new(&rows, PointsOptions::default(), &free).unwrap());
+    let points = Arc::new(Points::new(rows, PointsOptions::default(), &free).unwrap());
     let triangulation = Arc::new(Triangulation::delaunay(&points, &free).unwrap());
     let dual = Arc::new(Dual::new(&triangulation, DualOptions { facets: true }, &free).unwrap());
     let poles = Poles::new(&dual, &free).unwrap();
@@ -84,9 +83,7 @@ fn main() {
     io::write_complex(&path, surface, Default::default(), &free).unwrap();
 
     measure("sample", |job| sample(Shape::Genus3, SampleOptions::default(), job).map(drop));
-    measure("points", |job| {
-        Points::new(&rows, PointsOptions::default(), job).map(drop)
-    });
+    measure("points", |job| Points::new(rows, PointsOptions::default(), job).map(drop));
     measure("Delaunay", |job| Triangulation::delaunay(&points, job).map(drop));
     measure("its validate", |job| triangulation.validate(job).map(drop));
     measure("dual", |job| Dual::new(&triangulation, DualOptions { facets: true }, job).map(drop));

@@ -51,7 +51,7 @@ fn measure(
                 let mut spent = 0.0;
                 for _ in 0..runs {
                     let job = Job::new(JobOptions { threads: 1, ..JobOptions::default() });
-                    let points = Points::new(&rows, PointsOptions::default(), &job);
+                    let points = Points::new(rows, PointsOptions::default(), &job);
                     build(&Arc::new(points.unwrap()), &job);
                     let times = job.times();
                     let its = times.iter().filter(|time| time.stage == stage);

@@ -270,7 +270,9 @@ mod tests {
                 // Some poles have the place of others: their weights are those of the heaviest.
                 rows[row as usize][3] += of_weight * step;
                 let points = |i: usize| [0, 1, 2].map(|k| rows[i][k]);
-                let points = Points::by_row(rows.len(), points, Default::default(), &Job::default()).unwrap();
+                let points =
+                    Points::by_row(rows.len(), points, Default::default(), &Job::default())
+                        .unwrap();
                 let weights: Vec<f64> = rows.iter().map(|row| row[3]).collect();
                 let other = Triangulation::regular(&Arc::new(points), &weights, &Job::default());
                 let other = PowerCrust { regular: Arc::new(other.unwrap()), ..crust.clone() };

@@ -32,10 +32,11 @@ pub use incidence::{Edges, Incidence};
 
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::index::NONE;
-use crate::job::{Job, Room, Run, Stage};
+use crate::job::{Job, PART, Room, Run, Stage};
 use crate::points::Points;
 use crate::predicates::{WEIGHT_MAX, WEIGHT_MIN};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A Delaunay or regular triangulation: finite cells in canonical order.
 ///
@@ -101,22 +102,23 @@ impl Triangulation {
         let mut room = Room::new(run);
         let row_of_vertex = heaviest_rows(points, weights, &mut room, run)?;
         let weight = |row: u32| weights[row as usize] + 0.0;
-        let site = |(&[x, y, z], &row): (&[f64; 3], &u32)| [x, y, z, weight(row)];
         let mut of_sites = Room::new(run);
-        let sites = of_sites.collect(points.coords().iter().zip(&row_of_vertex).map(site))?;
+        let mut sites = of_sites.filled(points.len(), [0.0; 4])?;
+        let chunks = sites.chunks_mut(PART).zip(points.coords().chunks(PART));
+        let chunks = chunks.zip(row_of_vertex.chunks(PART)).collect();
+        run.in_parallel(chunks, |((sites, coords), rows)| {
+            run.poll()?;
+            for ((site, &[x, y, z]), &row) in sites.iter_mut().zip(coords).zip(rows) {
+                *site = [x, y, z, weight(row)];
+            }
+            Ok(())
+        })?;
         let built = build::build(&sites, run)?;
         let weights = room.collect(sites.iter().map(|site| site[3]))?;
         // Where the cells are ordered, most memory is needed.
         drop((sites, of_sites));
         let (cells, neighbors) = canonical::canonical(built, run)?;
-        let mut used = room.filled(points.len(), false)?;
-        for vertex in run.watch(cells.as_flattened()) {
-            used[*vertex? as usize] = true;
-        }
-        let mut hidden = Vec::new();
-        for vertex in run.watch((0..points.len() as u32).filter(|&v| !used[v as usize])) {
-            room.push(&mut hidden, vertex?)?;
-        }
+        let hidden = hidden(points.len(), &cells, &mut room, run)?;
         Ok(Triangulation {
             points: points.clone(),
             weights,
@@ -193,6 +195,33 @@ impl Triangulation {
         let [x, y, z] = self.coords()[vertex as usize];
         [x, y, z, self.weights.get(vertex as usize).copied().unwrap_or(0.0)]
     }
+}
+
+/// The vertices that no cell has, ascending.
+fn hidden(
+    count: usize,
+    cells: &[[u32; 4]],
+    room: &mut Room<'_>,
+    run: &Run<'_>,
+) -> Result<Vec<u32>> {
+    let mut used = room.vec(count)?;
+    used.resize_with(count, || AtomicBool::new(false));
+    run.in_parallel(cells.chunks(PART).collect(), |cells| {
+        run.poll()?;
+        for &vertex in cells.as_flattened() {
+            // What is read before it is written does not go from one processor to the other.
+            let used = &used[vertex as usize];
+            if !used.load(Ordering::Relaxed) {
+                used.store(true, Ordering::Relaxed);
+            }
+        }
+        Ok(())
+    })?;
+    let mut hidden = Vec::new();
+    for vertex in run.watch((0..count).filter(|&v| !used[v].load(Ordering::Relaxed))) {
+        room.push(&mut hidden, vertex? as u32)?;
+    }
+    Ok(hidden)
 }
 
 /// For each vertex the first of its heaviest rows, once all weights are found to be in order.

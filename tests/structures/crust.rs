@@ -8,7 +8,7 @@ use medax::{Job, JobOptions, NONE, Points, Poles, PowerCrust, Status};
 use std::sync::Arc;
 
 fn points(rows: &[[f64; 3]]) -> Arc<Points> {
-    Arc::new(Points::new(&rows, Default::default(), &Job::default()).unwrap())
+    Arc::new(Points::new(rows, Default::default(), &Job::default()).unwrap())
 }
 
 fn crust(rows: &[[f64; 3]]) -> PowerCrust {

@@ -6,7 +6,7 @@ use medax::{Dual, Job, NONE, Points, Triangulation};
 use std::sync::Arc;
 
 fn points(rows: &[[f64; 3]]) -> Arc<Points> {
-    Arc::new(Points::new(&rows, Default::default(), &Job::default()).unwrap())
+    Arc::new(Points::new(rows, Default::default(), &Job::default()).unwrap())
 }
 
 fn dual_of(t: Triangulation) -> Dual {

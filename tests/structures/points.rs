@@ -5,7 +5,7 @@ use medax::points::{COORDINATE_MAX, COORDINATE_MIN, FAR_BOX_LEN, PointsOptions};
 use medax::{ElementKind, Job, NONE, Points, Result, Status};
 
 fn points(rows: &[[f64; 3]]) -> Result<Points> {
-    Points::new(&rows, PointsOptions::default(), &Job::default())
+    Points::new(rows, PointsOptions::default(), &Job::default())
 }
 
 #[test]

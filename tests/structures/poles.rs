@@ -10,7 +10,7 @@ use num_traits::Zero;
 use std::sync::Arc;
 
 fn points(rows: &[[f64; 3]]) -> Points {
-    Points::new(&rows, Default::default(), &Job::default()).unwrap()
+    Points::new(rows, Default::default(), &Job::default()).unwrap()
 }
 
 fn dual_of(points: Points) -> Dual {

@@ -7,7 +7,7 @@ use medax::{Job, NONE, Points, Status, Triangulation};
 use std::sync::Arc;
 
 fn points(rows: &[[f64; 3]]) -> Arc<Points> {
-    Arc::new(Points::new(&rows, Default::default(), &Job::default()).unwrap())
+    Arc::new(Points::new(rows, Default::default(), &Job::default()).unwrap())
 }
 
 fn delaunay(rows: &[[f64; 3]]) -> Triangulation {
