@@ -76,3 +76,56 @@ fn the_power_test_is_the_sign_of_the_power_to_the_sphere() {
         Some(expected)
     });
 }
+
+/// Nearly cospherical points some half steps of 2^51 apart: floats below that are as fine, those above are not, so that a test for
+/// multiples of a step that adds a large number must not do so with negative ones.
+#[test]
+fn half_steps_are_seen_at_negative_coordinates_too() {
+    let sets: [[[i32; 3]; 4]; 5] = [
+        [
+            [-234787, 358380, 777779],
+            [74023, 48495, 0],
+            [-55733, 38242, 113516],
+            [-160764, 406875, 777779],
+        ],
+        [
+            [-263947, -256958, 587823],
+            [-113313, 116395, 0],
+            [-1983, -51436, 59522],
+            [-377260, -140563, 587823],
+        ],
+        [
+            [-296901, 523934, 535621],
+            [10341, 5860, 0],
+            [64879, -124433, -124738],
+            [-286560, 529794, 535621],
+        ],
+        [
+            [-335031, -634331, -475066],
+            [-203946, 107717, 0],
+            [20359, -206378, -114553],
+            [-538977, -526614, -475066],
+        ],
+        [
+            [-337245, 349465, 528579],
+            [4418, 4262, 1],
+            [54883, -55666, -85076],
+            [-332827, 353727, 528580],
+        ],
+    ];
+    let far = (1i64 << 52) + (3 << 40);
+    for set in sets {
+        for origin in [0, far, -far] {
+            for scale in [0.5, 0.5f64.powi(50)] {
+                let at = |p: [i32; 3]| p.map(|x| (i64::from(x) + origin) as f64 * scale);
+                let [a, b, c, d] = set.map(at);
+                let e = at([0; 3]);
+                let points = [&a, &b, &c, &d, &e];
+                let excess = rational::excess(points, &weights([0.0; 5])).unwrap();
+                let expected = -rational::sign(&excess) * orient3d(&a, &b, &c, &d);
+                assert!(!expected.is_zero());
+                assert_eq!(insphere(&a, &b, &c, &d, &e), expected, "{set:?} {origin} {scale}");
+            }
+        }
+    }
+}

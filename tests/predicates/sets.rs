@@ -92,7 +92,7 @@ pub fn five(random: &mut Random, kind: &str) -> [[f64; 4]; 5] {
             each(random, |r| [r.integer(n), r.integer(n), r.integer(n), r.integer(n)])
         }
         "far lattice" => {
-            let origin = random.triple(|r| (r.bits() >> 20) as f64 * 64.0);
+            let origin = random.triple(|r| (r.bits() as i64 >> 20) as f64 * 128.0);
             let step = power_of_two(random.below(4) as i32);
             each(random, |r| {
                 let [x, y, z] = origin.map(|x| x + step * r.integer(3));
