@@ -9,7 +9,7 @@ COUNTED := --features count-stages --test predicates
 HOST = $(shell rustc -vV | sed -n 's/^host: //p')
 CONFIGURE := cmake -S . -B $(BUILD)/medax
 
-.PHONY: help demo test test-rust test-package bench bench-peers tsan header doc install clean
+.PHONY: help demo test test-rust test-package bench bench-peers stress tsan header doc install clean
 .DEFAULT_GOAL := help
 
 help:
@@ -17,6 +17,7 @@ help:
 	@echo 'make test              every check and test; installs what they need on Debian'
 	@echo 'make bench             how long each stage takes'
 	@echo 'make bench-peers       triangulations against those of CGAL, in turns'
+	@echo 'make stress            triangulations of a million points checked, and fifty builds compared'
 	@echo 'make tsan              the threads of triangulations under ThreadSanitizer'
 	@echo 'make install PREFIX=   the library, its headers and packages, the program'
 	@echo 'make header            write include/medax.h anew from src/capi'
@@ -54,6 +55,7 @@ test-package:
 	cmake -S tests -B $(BUILD)/tests -G Ninja -DCMAKE_PREFIX_PATH=$(MOVED) -DMEDAX_TARGET_DIR=$(BUILD)/medax/target
 	cmake --build $(BUILD)/tests
 	ctest --test-dir $(BUILD)/tests --output-on-failure -j2
+	for threads in 1 3 8; do MEDAX_THREADS=$$threads ctest --test-dir $(BUILD)/tests -R cgal.triangulations || exit 1; done
 
 bench:
 	cargo bench --locked
@@ -67,6 +69,10 @@ bench-peers:
 	cmake -S benches/peers -B $(BUILD)/peers -G Ninja -DCMAKE_PREFIX_PATH=$(BUILD)/peers-prefix
 	cmake --build $(BUILD)/peers
 	$(BUILD)/peers/peers $(PEERS)
+
+# Minutes, and some gigabytes.
+stress:
+	cargo test --locked --release --test stress -- --ignored --nocapture --test-threads 1
 
 # The insertion by several threads under ThreadSanitizer, with a compiler that has it. The standard library is not
 # compiled for it, so that what the test harness does with its own threads must be left out.

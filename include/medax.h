@@ -764,7 +764,8 @@ MEDAX_API medax_status medax_points_options_init(medax_points_options *options, 
 /**
  * Makes points of the caller's array of doubles, which is copied.
  *
- * \param xyz `count` points of three coordinates, `stride_bytes` apart; need not be aligned.
+ * \param xyz `count` points of three coordinates, `stride_bytes` apart; need not be aligned. Several threads read
+ *        them, and they must not change during the call.
  *        NULL only if `count` is 0.
  * \param count The number of rows.
  * \param stride_bytes The distance between rows in bytes, at least 24; 0 stands for 24.
