@@ -6,6 +6,7 @@ use crate::error::Result;
 use crate::job::{Room, Run};
 use std::ops::Range;
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Partitions that are filled in turns.
 const LANES: usize = 8;
@@ -61,8 +62,16 @@ fn exchange(
     // Each thread has a piece of either side, and takes the next where it has come to the end of one, until a side has
     // no more.
     let (before, after) = slots.again().split_at(middle);
-    let sides = [(0, before), (middle, after)].map(|(begin, side)| Mutex::new(pieces(begin, side)));
-    let next = |side: usize| sides[side].lock().ok().and_then(|mut pieces| pieces.next());
+    let sides = [(0, before), (middle, after)].map(|(begin, side)| {
+        let pieces = pieces(begin, side).map(|piece| Mutex::new(Some(piece)));
+        (pieces.collect::<Vec<_>>(), AtomicUsize::new(0))
+    });
+    // Each piece is taken once, so that nobody ever waits for its lock.
+    let next = |side: usize| {
+        let (pieces, taken) = &sides[side];
+        let place = taken.fetch_add(1, Ordering::Relaxed);
+        pieces.get(place)?.lock().ok()?.take()
+    };
     let left = run.in_parallel((0..threads.max(1)).collect(), |_| {
         let mut own = [next(0), next(1)];
         loop {
