@@ -75,7 +75,7 @@ fn main() {
     let points = Arc::new(Points::new(rows, PointsOptions::default(), &free).unwrap());
     let triangulation = Arc::new(Triangulation::delaunay(&points, &free).unwrap());
     let dual = Arc::new(Dual::new(&triangulation, DualOptions { facets: true }, &free).unwrap());
-    let poles = Poles::new(&dual, &free).unwrap();
+    let poles = Poles::new(&dual, Default::default(), &free).unwrap();
     let crust = PowerCrust::build(&points, PowerCrustOptions::default(), &free).unwrap();
     let surface = crust.surface();
     let folder = tempfile::tempdir().unwrap();
@@ -88,7 +88,7 @@ fn main() {
     measure("its validate", |job| triangulation.validate(job).map(drop));
     measure("dual", |job| Dual::new(&triangulation, DualOptions { facets: true }, job).map(drop));
     measure("its validate", |job| dual.validate(job).map(drop));
-    measure("poles", |job| Poles::new(&dual, job).map(drop));
+    measure("poles", |job| Poles::new(&dual, Default::default(), job).map(drop));
     measure("its validate", |job| poles.validate(job).map(drop));
     measure("feature size", |job| poles.feature_size(rows, job).map(drop));
     measure("power crust", |job| {

@@ -1446,13 +1446,26 @@ MEDAX_API void medax_dual_free(const medax_dual *dual);
  */
 
 /**
- * The settings of poles: none yet but the size.
+ * The settings of poles.
  */
 typedef struct {
     /**
      * The size of this struct in the caller's program.
      */
     size_t struct_size;
+    /**
+     * An estimate of the spacing of the sample, relative to the local feature size, in [0, pi/4); 0, the default, to estimate it
+     * from the sample. Without effect where nothing is left out.
+     */
+    double lambda;
+    /**
+     * A #medax_omit: what is left out; `MEDAX_OMIT_NOTHING` by default.
+     */
+    uint32_t omit;
+    /**
+     * Must be 0.
+     */
+    uint32_t reserved;
 } medax_poles_options;
 
 /**
@@ -1473,7 +1486,8 @@ MEDAX_API medax_status medax_poles_options_init(medax_poles_options *options, si
  * \param options NULL for the defaults.
  * \param job NULL for a default job.
  * \param out_poles Receives the poles, which the caller frees with #medax_poles_free.
- * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for the dual of a regular triangulation;
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for the dual of a regular triangulation and for options out of range;
+ *         `TOO_FEW_POINTS` where all poles would be left out;
  *         `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
  *
  * O(m) for m cells. Since 0.1.
@@ -1491,7 +1505,7 @@ medax_status medax_poles_build(const medax_dual *dual,
  * \param options NULL for the defaults.
  * \param job NULL for a default job.
  * \param out_poles Receives the poles, which the caller frees with #medax_poles_free.
- * \return `MEDAX_STATUS_OK`; `TOO_FEW_POINTS` below four distinct points; `DEGENERATE` when all
+ * \return `MEDAX_STATUS_OK`; `TOO_FEW_POINTS` below four distinct points, or where all poles would be left out; `DEGENERATE` when all
  *         lie in a plane; `COORDINATE_RANGE` where there is no room for the far box;
  *         `LIMIT_EXCEEDED` past 2^30 cells; `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`,
  *         `BUSY`, `OUT_OF_MEMORY`.
@@ -1578,12 +1592,33 @@ MEDAX_API medax_view_u8 medax_poles_touches_far_box(const medax_poles *poles);
  *
  * \param poles The poles, or NULL.
  * \return n x 2: the first and second pole of each vertex of the points; `MEDAX_NONE` where there is
- *         none, or it is at infinity. Borrowed from `poles`.
+ *         none, or it is at infinity, or left out. Borrowed from `poles`.
  *
  * Constant time. Since 0.1.
  */
 MEDAX_API
 medax_view_u32 medax_poles_pole_of_sample(const medax_poles *poles);
+
+/**
+ * The samples on each polar ball, ascending: those whose Voronoi cells meet at the pole.
+ *
+ * \param poles The poles, or NULL.
+ * \return p rows of vertices of the points: four or more, or fewer where the ball touches the far box. Borrowed from `poles`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_rows medax_poles_samples_on_balls(const medax_poles *poles);
+
+/**
+ * The lambda by which poles were left out.
+ *
+ * \param poles The poles, or NULL.
+ * \return As given or, if that was 0, as estimated; 0 where nothing was to be left out.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API double medax_poles_lambda(const medax_poles *poles);
 
 /**
  * The unit vector from each sample towards its first pole, be it at infinity: normal to the
@@ -1728,12 +1763,26 @@ typedef struct {
      */
     double deep;
     /**
+     * As in #medax_poles_options, where poles are chosen: not for #medax_power_crust_build_from_poles.
+     */
+    double lambda;
+    /**
      * 1 to take the power diagram of balls whose centres are rounded to a grid, which is faster; 0, the
      * default, not to. The step of the grid is 2^-36 of the least power of two that the longest side of the
      * samples' box does not exceed. #medax_power_crust_regular and the shapes then have the rounded balls,
      * #medax_power_crust_poles those that were chosen.
      */
     uint32_t round_poles;
+    /**
+     * 1 to keep the shards of every sample, the vertices of the power diagram that are the sample itself but for the rounding of
+     * the balls; 0, the default, to make them one vertex, exactly where the sample is.
+     */
+    uint32_t keep_shards;
+    /**
+     * A #medax_omit: which poles are left out, where they are chosen: not for #medax_power_crust_build_from_poles.
+     * `MEDAX_OMIT_NOTHING` by default.
+     */
+    uint32_t omit;
     /**
      * Must be 0.
      */
@@ -1789,8 +1838,9 @@ medax_status medax_power_crust_build_from_poles(const medax_poles *poles,
 
 /**
  * The surface: convex polygons that point out of the solid. Faces have the attributes `inner_pole`
- * and `outer_pole`, vertices `cell`: the cell of #medax_power_crust_regular whose orthocentre they
- * are.
+ * and `outer_pole`. Vertices have `cell`, the cell of #medax_power_crust_regular whose orthocentre they
+ * are, and `sample`: the vertex of the points that they are, or `MEDAX_NONE`. With shards merged such a vertex lies exactly where the
+ * sample does, and `cell` is the least of its shards.
  *
  * \param crust The power crust.
  * \param out_surface Receives the surface, which the caller frees with #medax_complex_free.

@@ -14,6 +14,7 @@ use super::handle::{
     medax_triangulation,
 };
 use super::options::{self, sized_struct};
+use super::poles;
 use super::status::medax_status;
 use super::validation::{self, medax_validation};
 use super::view::{Out, medax_view_u32, numbers};
@@ -55,23 +56,34 @@ pub struct medax_power_crust_options {
     /// Neighbouring balls intersect deeply, and so lie on the same side, where -cos of the angle
     /// between their spheres exceeds this; in [0, 1], 0.4 by default.
     pub deep: f64,
+    /// As in #medax_poles_options, where poles are chosen: not for #medax_power_crust_build_from_poles.
+    pub lambda: f64,
     /// 1 to take the power diagram of balls whose centres are rounded to a grid, which is faster; 0, the
     /// default, not to. The step of the grid is 2^-36 of the least power of two that the longest side of the
     /// samples' box does not exceed. #medax_power_crust_regular and the shapes then have the rounded balls,
     /// #medax_power_crust_poles those that were chosen.
     pub round_poles: u32,
+    /// 1 to keep the shards of every sample, the vertices of the power diagram that are the sample itself but for the rounding of
+    /// the balls; 0, the default, to make them one vertex, exactly where the sample is.
+    pub keep_shards: u32,
+    /// A #medax_omit: which poles are left out, where they are chosen: not for #medax_power_crust_build_from_poles.
+    /// `MEDAX_OMIT_NOTHING` by default.
+    pub omit: u32,
     /// Must be 0.
     pub reserved: u32,
 }
 
 sized_struct!(medax_power_crust_options,
     first_size: size_of::<medax_power_crust_options>(), reserved: reserved,
-    { deep: f64 = 0.4, round_poles: u32 = 0, reserved: u32 = 0 });
+    { deep: f64 = 0.4, lambda: f64 = 0.0, round_poles: u32 = 0, keep_shards: u32 = 0, omit: u32 = 0,
+      reserved: u32 = 0 });
 
 impl medax_power_crust_options {
     fn translate(&self) -> Result<PowerCrustOptions> {
         let round_poles = options::flag(self.round_poles, "round_poles")?;
-        Ok(PowerCrustOptions { deep: self.deep, round_poles })
+        let keep_shards = options::flag(self.keep_shards, "keep_shards")?;
+        let poles = poles::omission(self.omit, self.lambda)?;
+        Ok(PowerCrustOptions { deep: self.deep, round_poles, keep_shards, poles })
     }
 }
 
@@ -145,8 +157,9 @@ pub unsafe extern "C" fn medax_power_crust_build_from_poles(
 }
 
 /// The surface: convex polygons that point out of the solid. Faces have the attributes `inner_pole`
-/// and `outer_pole`, vertices `cell`: the cell of #medax_power_crust_regular whose orthocentre they
-/// are.
+/// and `outer_pole`. Vertices have `cell`, the cell of #medax_power_crust_regular whose orthocentre they
+/// are, and `sample`: the vertex of the points that they are, or `MEDAX_NONE`. With shards merged such a vertex lies exactly where the
+/// sample does, and `cell` is the least of its shards.
 ///
 /// \param crust The power crust.
 /// \param out_surface Receives the surface, which the caller frees with #medax_complex_free.

@@ -16,21 +16,70 @@ use super::handle::{
 use super::options::{self, sized_struct};
 use super::status::medax_status;
 use super::validation::{self, medax_validation};
-use super::view::{self, Buffer, Out, medax_view_f64, medax_view_u8, medax_view_u32};
-use crate::Poles;
+use super::view::{
+    self, Buffer, Out, medax_view_f64, medax_view_rows, medax_view_u8, medax_view_u32,
+};
+use crate::error::{Error, Result, Status};
+use crate::poles::{Omit, Poles, PolesOptions};
 use std::ptr;
 use std::sync::Arc;
 
-/// The settings of poles: none yet but the size.
+/// What is left out where the Voronoi cell of a sample is not long and thin: where one of its poles is nearer than the cell's
+/// width allows for the spacing `lambda` (section 6 of the paper).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u32)]
+pub enum medax_omit {
+    /// Nothing.
+    Nothing = 0,
+    /// The pole that is too near: for noise.
+    Side = 1,
+    /// Both poles of the sample where one is too near: for sharp edges and corners.
+    Both = 2,
+}
+
+impl From<Omit> for medax_omit {
+    fn from(omit: Omit) -> Self {
+        match omit {
+            Omit::Nothing => medax_omit::Nothing,
+            Omit::Side => medax_omit::Side,
+            Omit::Both => medax_omit::Both,
+        }
+    }
+}
+
+/// Which poles are left out, from numbers of the caller.
+pub(super) fn omission(omit: u32, lambda: f64) -> Result<PolesOptions> {
+    let omit = [Omit::Nothing, Omit::Side, Omit::Both]
+        .into_iter()
+        .find(|&known| medax_omit::from(known) as u32 == omit)
+        .ok_or_else(|| Error::new(Status::InvalidArgument, format!("{omit} is no medax_omit")))?;
+    Ok(PolesOptions { omit, lambda })
+}
+
+/// The settings of poles.
 #[derive(Clone, Copy)]
 #[repr(C)]
 pub struct medax_poles_options {
     /// The size of this struct in the caller's program.
     pub struct_size: usize,
+    /// An estimate of the spacing of the sample, relative to the local feature size, in [0, pi/4); 0, the default, to estimate it
+    /// from the sample. Without effect where nothing is left out.
+    pub lambda: f64,
+    /// A #medax_omit: what is left out; `MEDAX_OMIT_NOTHING` by default.
+    pub omit: u32,
+    /// Must be 0.
+    pub reserved: u32,
 }
 
 sized_struct!(medax_poles_options,
-    first_size: size_of::<medax_poles_options>(), reserved: none, {});
+    first_size: size_of::<medax_poles_options>(), reserved: reserved,
+    { lambda: f64 = 0.0, omit: u32 = 0, reserved: u32 = 0 });
+
+impl medax_poles_options {
+    fn translate(&self) -> Result<PolesOptions> {
+        omission(self.omit, self.lambda)
+    }
+}
 
 /// Sets poles options to their defaults.
 ///
@@ -53,7 +102,8 @@ pub unsafe extern "C" fn medax_poles_options_init(
 /// \param options NULL for the defaults.
 /// \param job NULL for a default job.
 /// \param out_poles Receives the poles, which the caller frees with #medax_poles_free.
-/// \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for the dual of a regular triangulation;
+/// \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for the dual of a regular triangulation and for options out of range;
+///         `TOO_FEW_POINTS` where all poles would be left out;
 ///         `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
 ///
 /// O(m) for m cells. Since 0.1.
@@ -66,10 +116,10 @@ pub unsafe extern "C" fn medax_poles_build(
 ) -> medax_status {
     boundary::status(|| {
         let dual = &handle::get(dual, "dual")?.dual;
-        options::read(options, "options")?;
+        let options = options::read(options, "options")?.translate()?;
         let out = Out::new(out_poles, "out_poles")?;
         let mut own = None;
-        let poles = Poles::new(dual, handle::job(job, &mut own))?;
+        let poles = Poles::new(dual, options, handle::job(job, &mut own))?;
         out.put(handle::new(medax_poles { poles: Arc::new(poles) }));
         Ok(())
     })
@@ -81,7 +131,7 @@ pub unsafe extern "C" fn medax_poles_build(
 /// \param options NULL for the defaults.
 /// \param job NULL for a default job.
 /// \param out_poles Receives the poles, which the caller frees with #medax_poles_free.
-/// \return `MEDAX_STATUS_OK`; `TOO_FEW_POINTS` below four distinct points; `DEGENERATE` when all
+/// \return `MEDAX_STATUS_OK`; `TOO_FEW_POINTS` below four distinct points, or where all poles would be left out; `DEGENERATE` when all
 ///         lie in a plane; `COORDINATE_RANGE` where there is no room for the far box;
 ///         `LIMIT_EXCEEDED` past 2^30 cells; `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`,
 ///         `BUSY`, `OUT_OF_MEMORY`.
@@ -96,10 +146,10 @@ pub unsafe extern "C" fn medax_poles_build_with_far_box(
 ) -> medax_status {
     boundary::status(|| {
         let points = handle::get(points, "points")?;
-        options::read(options, "options")?;
+        let options = options::read(options, "options")?.translate()?;
         let out = Out::new(out_poles, "out_poles")?;
         let mut own = None;
-        let poles = Poles::with_far_box(&points.points, handle::job(job, &mut own))?;
+        let poles = Poles::with_far_box(&points.points, options, handle::job(job, &mut own))?;
         out.put(handle::new(medax_poles { poles: Arc::new(poles) }));
         Ok(())
     })
@@ -193,12 +243,41 @@ pub unsafe extern "C" fn medax_poles_touches_far_box(poles: *const medax_poles) 
 ///
 /// \param poles The poles, or NULL.
 /// \return n x 2: the first and second pole of each vertex of the points; `MEDAX_NONE` where there is
-///         none, or it is at infinity. Borrowed from `poles`.
+///         none, or it is at infinity, or left out. Borrowed from `poles`.
 ///
 /// Constant time. Since 0.1.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn medax_poles_pole_of_sample(poles: *const medax_poles) -> medax_view_u32 {
     indices(poles, 2, |p| p.pole_of_sample().as_flattened())
+}
+
+/// The samples on each polar ball, ascending: those whose Voronoi cells meet at the pole.
+///
+/// \param poles The poles, or NULL.
+/// \return p rows of vertices of the points: four or more, or fewer where the ball touches the far box. Borrowed from `poles`.
+///
+/// Constant time. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_poles_samples_on_balls(
+    poles: *const medax_poles,
+) -> medax_view_rows {
+    boundary::value(medax_view_rows::EMPTY, || {
+        handle::maybe(poles).map_or(medax_view_rows::EMPTY, |p| {
+            let rows = p.poles.samples_on_balls();
+            medax_view_rows::new(rows.offsets(), rows.indices())
+        })
+    })
+}
+
+/// The lambda by which poles were left out.
+///
+/// \param poles The poles, or NULL.
+/// \return As given or, if that was 0, as estimated; 0 where nothing was to be left out.
+///
+/// Constant time. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_poles_lambda(poles: *const medax_poles) -> f64 {
+    boundary::value(0.0, || handle::maybe(poles).map_or(0.0, |p| p.poles.lambda()))
 }
 
 /// The unit vector from each sample towards its first pole, be it at infinity: normal to the

@@ -17,6 +17,7 @@ mod validate;
 
 pub use attribute::{Attribute, Element, Values};
 pub use compare::{CompareOptions, Comparison, Distances, compare};
+pub(crate) use disjoint::DisjointSets;
 pub(crate) use hierarchy::{Hierarchy, Simplex};
 pub use measure::Measure;
 pub use rows::Rows;

@@ -14,39 +14,68 @@ use std::sync::Arc;
 const STEP: f64 = f64::from_bits((1023 - 36) << 52);
 
 /// The regular triangulation of the polar balls: weights are squared radii.
-///
-/// The poles are our own rows, not the caller's: an error about them says so, and names no row.
 pub(super) fn triangulate(
     poles: &Poles,
     options: &PowerCrustOptions,
     run: &Run<'_>,
 ) -> Result<Triangulation> {
-    let of_poles = |error: Error| match error.status() {
-        Status::CoordinateRange | Status::TooFewPoints | Status::Degenerate => Error::new(
-            error.status(),
-            format!(
-                "the sample's {} poles have no power diagram ({}); sample the surface more densely",
-                poles.len(),
-                error.message()
-            ),
-        ),
-        _ => error,
-    };
+    let of_poles = |error: Error| of_poles(error, poles.len());
     let grid = options.round_poles.then(|| Grid::of(poles));
+    let Some(grid) = grid else {
+        return regular(
+            poles,
+            |pole| {
+                let [x, y, z, _] = poles.balls()[pole];
+                Some(([x, y, z], poles.radii_squared()[pole]))
+            },
+            run,
+        );
+    };
     let center = |pole: usize| {
         let [x, y, z, _] = poles.balls()[pole];
-        match grid {
-            Some(grid) => Some([x, y, z].map(|x| round(x, grid.step))),
-            None => Some([x, y, z]),
-        }
+        Some([x, y, z].map(|x| round(x, grid.step)))
     };
     let points = Points::by_row_in(poles.len(), center, PointsOptions::default(), run);
     let points = points.map_err(of_poles)?;
     let mut room = Room::new(run);
     room.keep(points.bytes())?;
-    let rounded = grid.map(|grid| grid.weights(poles, &points, &mut room, run)).transpose()?;
-    let weights = rounded.as_deref().unwrap_or(poles.radii_squared());
-    Triangulation::regular_in(&Arc::new(points), weights, run).map_err(of_poles)
+    let weights = grid.weights(poles, &points, &mut room, run)?;
+    Triangulation::regular_in(&Arc::new(points), &weights, run).map_err(of_poles)
+}
+
+/// A centre and a weight.
+pub(super) type Ball = ([f64; 3], f64);
+
+/// The regular triangulation of the balls of some poles, whose numbers are the rows of its points.
+pub(super) fn regular(
+    poles: &Poles,
+    ball: impl Fn(usize) -> Option<Ball> + Sync,
+    run: &Run<'_>,
+) -> Result<Triangulation> {
+    let of_poles = |error: Error| of_poles(error, poles.len());
+    let center = |pole: usize| ball(pole).map(|(center, _)| center);
+    let points = Points::by_row_in(poles.len(), center, PointsOptions::default(), run);
+    let points = points.map_err(of_poles)?;
+    let mut room = Room::new(run);
+    room.keep(points.bytes())?;
+    // The weights of rows that are left out count for nothing.
+    let weight = |pole: usize| ball(pole).map_or(0.0, |(_, weight)| weight);
+    let weights = room.collect((0..poles.len()).map(weight))?;
+    Triangulation::regular_in(&Arc::new(points), &weights, run).map_err(of_poles)
+}
+
+/// An error about poles says so: they are our own rows, not the caller's, and it names no row.
+fn of_poles(error: Error, poles: usize) -> Error {
+    match error.status() {
+        Status::CoordinateRange | Status::TooFewPoints | Status::Degenerate => Error::new(
+            error.status(),
+            format!(
+                "the sample's {poles} poles have no power diagram ({}); sample the surface more densely",
+                error.message()
+            ),
+        ),
+        _ => error,
+    }
 }
 
 /// The grid to which centres are rounded.

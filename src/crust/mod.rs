@@ -6,25 +6,32 @@
 //! between inner and outer cells are the surface.
 
 mod balls;
+mod derive;
 mod division;
 mod export;
+mod holes;
 mod label;
 mod queue;
 mod shape;
+mod shards;
+mod simplify;
 mod surface;
 mod validate;
 
+pub use holes::{HoleOptions, OpenSurface};
 pub use label::Label;
+pub use simplify::{Simplified, SimplifyOptions};
 
 use crate::complex::Complex;
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
 use crate::job::{Job, Room, Run, Stage};
 use crate::points::Points;
-use crate::poles::Poles;
+use crate::poles::{Poles, PolesOptions};
 use crate::triangulation::Triangulation;
 use division::Division;
 use std::sync::Arc;
+use surface::Shards;
 
 /// What to build.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,11 +47,21 @@ pub struct PowerCrustOptions {
     /// is the squared distance from there to the rounded centre, rounded to 53 bits and to the square of the step.
     /// Poles that come to lie at the same place are one vertex of the triangulation, and the heaviest counts.
     pub round_poles: bool,
+    /// Keep the shards of every sample, the vertices of the power diagram that are the sample itself but for the rounding of the
+    /// balls; off by default: the surface then passes through the samples exactly, with one vertex for each.
+    pub keep_shards: bool,
+    /// Which poles are left out, where the poles have not been chosen yet.
+    pub poles: PolesOptions,
 }
 
 impl Default for PowerCrustOptions {
     fn default() -> Self {
-        PowerCrustOptions { deep: 0.4, round_poles: false }
+        PowerCrustOptions {
+            deep: 0.4,
+            round_poles: false,
+            keep_shards: false,
+            poles: PolesOptions::default(),
+        }
     }
 }
 
@@ -59,6 +76,8 @@ impl Default for PowerCrustOptions {
 pub struct PowerCrust {
     options: PowerCrustOptions,
     poles: Arc<Poles>,
+    balls: Balls,
+    shards: Shards,
     regular: Arc<Triangulation>,
     labels: Vec<Label>,
     unreached: usize,
@@ -66,6 +85,27 @@ pub struct PowerCrust {
     surface: Arc<Complex>,
     inner_shape: Arc<Complex>,
     outer_shape: Arc<Complex>,
+}
+
+/// The balls of a power crust.
+#[derive(Clone, Debug)]
+enum Balls {
+    /// Those of the poles.
+    Poles,
+    /// Of each pole the centre, with another weight, or none.
+    Changed(Vec<Option<f64>>),
+}
+
+/// What a power crust is put together from.
+struct Parts {
+    options: PowerCrustOptions,
+    poles: Arc<Poles>,
+    balls: Balls,
+    shards: Shards,
+    regular: Arc<Triangulation>,
+    labels: Vec<Label>,
+    unreached: usize,
+    forced: usize,
 }
 
 impl PowerCrust {
@@ -89,13 +129,13 @@ impl PowerCrust {
         ];
         job.run(&plan, |run| {
             let mut room = Room::new(run);
-            let poles = Arc::new(Poles::with_far_box_in(points, run)?);
+            let poles = Arc::new(Poles::with_far_box_in(points, options.poles, run)?);
             room.keep(poles.bytes())?;
             PowerCrust::from_poles_in(poles, options, run)
         })
     }
 
-    /// The power crust of poles that [`Poles::with_far_box`] chose, without choosing them again.
+    /// The power crust of poles that [`Poles::with_far_box`] chose, without choosing them again: which are left out was decided then.
     ///
     /// Errors: as [`PowerCrust::build`], and [`Status::Mismatch`] for poles of a sample alone.
     pub fn from_poles(poles: &Arc<Poles>, options: PowerCrustOptions, job: &Job) -> Result<Self> {
@@ -127,18 +167,30 @@ impl PowerCrust {
         run.enter(Stage::Label)?;
         let labelling = label::label_poles(&poles, &regular, &options, run)?;
         run.enter(Stage::Extract)?;
-        let labels = labelling.labels;
+        let shards = if options.keep_shards { Shards::Keep } else { Shards::Merge };
+        let label::Labelling { labels, unreached, forced } = labelling;
+        let balls = Balls::Poles;
+        let parts = Parts { options, poles, balls, shards, regular, labels, unreached, forced };
+        PowerCrust::assemble(parts, run)
+    }
+
+    /// The surface and the shapes of labelled balls.
+    fn assemble(parts: Parts, run: &Run<'_>) -> Result<Self> {
+        let Parts { options, poles, balls, shards, regular, labels, unreached, forced } = parts;
+        let mut room = Room::new(run);
         let division = Division::new(&regular, &labels, &mut room, run)?;
-        let surface = surface::extract(&regular, &division, run)?;
+        let surface = surface::extract(&poles, &regular, &division, shards, run)?;
         room.keep(surface.bytes())?;
         let [outer_shape, inner_shape] = shape::extract(&regular, &division, run)?;
         Ok(PowerCrust {
             options,
             poles,
+            balls,
+            shards,
             regular,
             labels,
-            unreached: labelling.unreached,
-            forced: labelling.forced,
+            unreached,
+            forced,
             surface: Arc::new(surface),
             inner_shape: Arc::new(inner_shape),
             outer_shape: Arc::new(outer_shape),

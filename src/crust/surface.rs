@@ -1,12 +1,25 @@
 //! The power crust: the facets of the power diagram between inner and outer cells.
 
 use super::division::{Division, Edge, pieces};
+use super::shards;
 use crate::complex::{Attribute, Complex, ComplexParts, Element, Rows, Values};
 use crate::dual::orthocenter_positions;
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
 use crate::job::{PART, Room, Run, parts};
+use crate::poles::Poles;
 use crate::triangulation::{Triangulation, Turn};
+
+/// What becomes of the shards of samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Shards {
+    /// There are none: the balls do not touch the samples.
+    None,
+    /// They stay as they are.
+    Keep,
+    /// Those of each sample are merged.
+    Merge,
+}
 
 /// The oriented boundary between the inner and the outer cells of the power diagram.
 ///
@@ -17,17 +30,65 @@ use crate::triangulation::{Triangulation, Turn};
 /// triangulation, those with poles of both labels, so that the same argument on a tetrahedron's four poles, of which one or
 /// two are inner, makes every vertex's faces one disk: the surface is a manifold.
 ///
+/// If that is asked for, the shards of each sample are merged then, see `shards.rs`; faces left with two vertices or one
+/// are gone.
+///
 /// Faces are in the order of their dual edges, the lesser vertex of each first, and begin with their least cells.
-/// Vertices carry `cell`, faces `inner_pole` and `outer_pole`.
+/// Vertices carry `cell`, the least, and `sample`, faces `inner_pole` and `outer_pole`.
 pub(super) fn extract(
+    poles: &Poles,
     regular: &Triangulation,
     division: &Division,
+    treatment: Shards,
     run: &Run<'_>,
 ) -> Result<Complex> {
     let mut room = Room::new(run);
+    let (cells, vertex_of_cell) = mixed_cells(regular, division, &mut room, run)?;
+    let samples = match treatment {
+        Shards::None => room.filled(cells.len(), NONE)?,
+        _ => shards::samples_of_cells(poles, regular, &cells, [0.15, 0.2], &mut room, run)?,
+    };
+    let separates = |cell: usize, [i, j]: [usize; 2]| {
+        let inner = division.shares[cell].inner();
+        (inner >> i ^ inner >> j) & 1 == 1
+    };
+    let edges = division.edges(regular, [0.2, 0.25], separates, &mut room, run)?;
+    let pieces = run.in_steps(edges.chunks(PART / 8).collect(), [0.25, 0.4], |edges| {
+        let mut room = Room::new(run);
+        Ok((Faces::new(regular, division, edges, &vertex_of_cell, &mut room)?, room))
+    })?;
+    drop((vertex_of_cell, edges));
+    let mut surface = Surface::joined(pieces, cells, samples, &mut room, run)?;
+    if treatment == Shards::Merge {
+        surface = surface.without_shards(&mut room, run)?;
+    }
+    let vertices = surface.positions(poles, regular, treatment, &mut room, run)?;
+    let attribute =
+        |name: &str, element, values| Attribute::new(name, element, 1, Values::U32(values));
+    let parts = ComplexParts {
+        vertices,
+        faces: surface.faces,
+        attributes: vec![
+            attribute("cell", Element::Vertex, surface.cells)?,
+            attribute("sample", Element::Vertex, surface.samples)?,
+            attribute("inner_pole", Element::Face, surface.inner_pole)?,
+            attribute("outer_pole", Element::Face, surface.outer_pole)?,
+        ],
+        ..Default::default()
+    };
+    Complex::sound_in(parts, run)
+}
+
+/// The cells with poles of both labels, which are the vertices of the surface, and the vertex of each of them. Nobody asks for that
+/// of another cell.
+fn mixed_cells(
+    regular: &Triangulation,
+    division: &Division,
+    room: &mut Room<'_>,
+    run: &Run<'_>,
+) -> Result<(Vec<u32>, Vec<u32>)> {
     let offsets = division.offsets(|share| usize::from(share.is_mixed()));
     let mut cells = room.filled(offsets[offsets.len() - 1], 0u32)?;
-    // Nobody asks for that of another cell.
     let mut vertex_of_cell = room.filled(regular.cells().len(), 0u32)?;
     let ranges = parts(regular.cells().len()).into_iter().zip(&offsets);
     let results = vertex_of_cell.chunks_mut(PART).zip(pieces(&mut cells, &offsets));
@@ -41,49 +102,112 @@ pub(super) fn extract(
         }
         Ok(())
     })?;
-    let mut vertices = room.filled(cells.len(), [0.0; 3])?;
-    let chunks = cells.chunks(PART).zip(vertices.chunks_mut(PART)).collect();
-    run.in_steps(chunks, [0.15, 0.3], |(cells, positions): (&[u32], &mut [_])| {
-        orthocenter_positions(regular, cells, positions, run)
-    })?;
-    let separates = |cell: usize, [i, j]: [usize; 2]| {
-        let inner = division.shares[cell].inner();
-        (inner >> i ^ inner >> j) & 1 == 1
-    };
-    let edges = division.edges(regular, [0.3, 0.35], separates, &mut room, run)?;
-    let pieces = run.in_steps(edges.chunks(PART / 8).collect(), [0.35, 0.5], |edges| {
-        let mut room = Room::new(run);
-        Ok((Faces::new(regular, division, edges, &vertex_of_cell, &mut room)?, room))
-    })?;
-    drop((vertex_of_cell, edges));
-    let count = pieces.iter().map(|(piece, _)| piece.ends.len()).sum();
-    let corners = pieces.iter().map(|(piece, _)| piece.rings.len()).sum();
-    if corners > u32::MAX as usize {
-        return Err(Error::new(Status::LimitExceeded, "more than 2^32 - 1 indices"));
+    Ok((cells, vertex_of_cell))
+}
+
+/// A surface without the positions of its vertices.
+struct Surface {
+    /// For each vertex its least cell, and its sample or [`NONE`].
+    cells: Vec<u32>,
+    samples: Vec<u32>,
+    faces: Rows,
+    inner_pole: Vec<u32>,
+    outer_pole: Vec<u32>,
+}
+
+impl Surface {
+    /// All faces of all pieces.
+    fn joined(
+        pieces: Vec<(Faces, Room<'_>)>,
+        cells: Vec<u32>,
+        samples: Vec<u32>,
+        room: &mut Room<'_>,
+        run: &Run<'_>,
+    ) -> Result<Self> {
+        let count = pieces.iter().map(|(piece, _)| piece.ends.len()).sum();
+        let corners = pieces.iter().map(|(piece, _)| piece.rings.len()).sum();
+        if corners > u32::MAX as usize {
+            return Err(Error::new(Status::LimitExceeded, "more than 2^32 - 1 indices"));
+        }
+        let (mut offsets, mut indices) = (room.vec(count + 1)?, room.vec(corners)?);
+        let (mut inner_pole, mut outer_pole) = (room.vec(count)?, room.vec(count)?);
+        offsets.push(0);
+        for (piece, _) in pieces {
+            run.poll()?;
+            let begin = indices.len();
+            offsets.extend(piece.ends.iter().map(|&end| (begin + end as usize) as u32));
+            indices.extend(piece.rings);
+            inner_pole.extend(piece.inner_pole);
+            outer_pole.extend(piece.outer_pole);
+        }
+        let faces = Rows::new(offsets, indices)?;
+        Ok(Surface { cells, samples, faces, inner_pole, outer_pole })
     }
-    let (mut offsets, mut indices) = (room.vec(count + 1)?, room.vec(corners)?);
-    let (mut inner_pole, mut outer_pole) = (room.vec(count)?, room.vec(count)?);
-    offsets.push(0);
-    for (piece, _) in pieces {
-        run.poll()?;
-        let begin = indices.len();
-        offsets.extend(piece.ends.iter().map(|&end| (begin + end as usize) as u32));
-        indices.extend(piece.rings);
-        inner_pole.extend(piece.inner_pole);
-        outer_pole.extend(piece.outer_pole);
+
+    /// The same with the shards of each sample merged.
+    fn without_shards(mut self, room: &mut Room<'_>, run: &Run<'_>) -> Result<Self> {
+        let roots = shards::merged(&self.samples, &self.faces, run)?;
+        // A root is the least vertex, and has the least cell.
+        let mut number = room.filled(roots.len(), NONE)?;
+        let mut count = 0;
+        for root in run.watch(roots.iter().zip(0..)) {
+            let (&root, vertex) = root?;
+            if root == vertex {
+                number[vertex as usize] = count as u32;
+                self.cells[count] = self.cells[vertex as usize];
+                self.samples[count] = self.samples[vertex as usize];
+                count += 1;
+            }
+        }
+        self.cells.truncate(count);
+        self.samples.truncate(count);
+        let (mut offsets, mut indices) = (vec![0], Vec::new());
+        let (mut ring, mut kept) = (Vec::new(), 0);
+        for face in run.watch(self.faces.iter().enumerate()) {
+            let (face, row) = face?;
+            shards::contract(row, &roots, &mut ring);
+            if ring.len() > 2 {
+                room.grow(&mut indices, ring.len())?;
+                indices.extend(ring.iter().map(|&root| number[root as usize]));
+                room.push(&mut offsets, indices.len() as u32)?;
+                self.inner_pole[kept] = self.inner_pole[face];
+                self.outer_pole[kept] = self.outer_pole[face];
+                kept += 1;
+            }
+        }
+        self.inner_pole.truncate(kept);
+        self.outer_pole.truncate(kept);
+        Ok(Surface { faces: Rows::new(offsets, indices)?, ..self })
     }
-    let pole = |name: &str, poles| Attribute::new(name, Element::Face, 1, Values::U32(poles));
-    let parts = ComplexParts {
-        vertices,
-        faces: Rows::new(offsets, indices)?,
-        attributes: vec![
-            Attribute::new("cell", Element::Vertex, 1, Values::U32(cells))?,
-            pole("inner_pole", inner_pole)?,
-            pole("outer_pole", outer_pole)?,
-        ],
-        ..Default::default()
-    };
-    Complex::sound_in(parts, run)
+
+    /// The positions of all vertices: where the balls have them, or if shards were merged, where the samples are.
+    fn positions(
+        &self,
+        poles: &Poles,
+        regular: &Triangulation,
+        treatment: Shards,
+        room: &mut Room<'_>,
+        run: &Run<'_>,
+    ) -> Result<Vec<[f64; 3]>> {
+        let coords = poles.triangulation().coords();
+        let is_sample = |i: usize| treatment == Shards::Merge && self.samples[i] != NONE;
+        let mut vertices = room.filled(self.cells.len(), [0.0; 3])?;
+        let chunks = vertices.chunks_mut(PART).zip(parts(self.cells.len())).collect();
+        run.in_steps(chunks, [0.5, 0.6], |(vertices, range)| {
+            let others: Vec<usize> = range.clone().filter(|&i| !is_sample(i)).collect();
+            let cells: Vec<u32> = others.iter().map(|&i| self.cells[i]).collect();
+            let mut centers = vec![[0.0; 3]; cells.len()];
+            orthocenter_positions(regular, &cells, &mut centers, run)?;
+            for (i, center) in others.into_iter().zip(centers) {
+                vertices[i - range.start] = center;
+            }
+            for i in range.clone().filter(|&i| is_sample(i)) {
+                vertices[i - range.start] = coords[self.samples[i] as usize];
+            }
+            Ok(())
+        })?;
+        Ok(vertices)
+    }
 }
 
 /// Walks round edges at a time: each waits for memory at every step, and the others go on meanwhile.

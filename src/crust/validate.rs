@@ -1,18 +1,22 @@
 //! The combinatorial check of a power crust.
 
 use super::balls::{Grid, own_samples};
+use super::division::Division;
 use super::label::{label_poles, unbounded_poles};
-use super::{Label, PowerCrust};
-use crate::complex::{Complex, Element, Values};
+use super::shards::samples_of_cells;
+use super::surface::{self, Shards};
+use super::{Balls, Label, PowerCrust};
+use crate::complex::{Complex, Element, Topology, Values};
 use crate::error::{ElementKind, Result};
+use crate::index::NONE;
 use crate::job::{Job, Room, Run, Stage};
 use crate::sort::sort_by_key;
 use crate::triangulation::Edges;
 use crate::validation::Validation;
 
 impl PowerCrust {
-    /// Checks that the triangulation is that of the poles' balls, that the labels are those of the algorithm, that the surface is closed, that its faces are exactly the power facets between
-    /// inner and outer poles, that no inner pole has an unbounded cell, and that the power
+    /// Checks that the triangulation is that of the poles' balls, that the labels are those of the algorithm, that the surface is closed, that its faces are the power facets between
+    /// inner and outer poles, that merging shards changed no topology and moved vertices to their samples, that no inner pole has an unbounded cell, and that the power
     /// shapes are those of the labels. The cells are not looked at: the triangulation has
     /// its own [`validate`](crate::Triangulation::validate). Errors: those of the job. Cost: O(size).
     pub fn validate(&self, job: &Job) -> Result<Validation> {
@@ -36,6 +40,10 @@ impl PowerCrust {
                 self.check_closed(&mut report, run)?;
                 self.check_faces(&mut report, &edges, run)?;
                 self.check_unbounded(&mut report, run)?;
+                // Of wrong labels there may be no surface.
+                if report.is_valid() {
+                    self.check_shards(&mut report, run)?;
+                }
                 self.check_shape(&mut report, &self.inner_shape, Label::Inner, run)?;
                 self.check_shape(&mut report, &self.outer_shape, Label::Outer, run)?;
             }
@@ -47,17 +55,26 @@ impl PowerCrust {
     /// away at most, and holds the pole's own sample on its sphere.
     fn check_balls(&self, report: &mut Validation, run: &Run<'_>) -> Result<()> {
         let t = &*self.regular;
-        let step = self.options.round_poles.then(|| Grid::of(&self.poles).step);
+        let is_rounded = self.options.round_poles && matches!(self.balls, Balls::Poles);
+        let step = is_rounded.then(|| Grid::of(&self.poles).step);
         let own = own_samples(&self.poles, &mut Room::new(run), run)?;
         for (pole, &vertex) in t.points().vertex_of_row().iter().enumerate() {
             if pole % 1024 == 0 {
                 run.poll()?;
             }
+            let weight = self.weight(pole);
+            report.check(
+                weight.is_some() == (vertex != NONE),
+                ElementKind::Vertex,
+                pole as u64,
+                || "it was left out, and is there, or the other way round".into(),
+            );
+            let (Some(own_weight), true) = (weight, vertex != NONE) else { continue };
             let [x, y, z, _] = self.poles.balls()[pole];
             let (center, weight) = (t.coords()[vertex as usize], t.weights()[vertex as usize]);
             let pairs = || center.into_iter().zip([x, y, z]);
             let (is_moved_right, expected, slack) = match step {
-                None => (center == [x, y, z], self.poles.radii_squared()[pole], 0.0),
+                None => (center == [x, y, z], own_weight, 0.0),
                 Some(step) => {
                     let on_grid = |x: f64| (x / step).fract() == 0.0;
                     let moved = pairs().all(|(to, from)| (to - from).abs() <= step / 2.0);
@@ -78,8 +95,12 @@ impl PowerCrust {
         Ok(())
     }
 
-    /// Labelling once more gives the same labels, those of hidden poles included.
+    /// Labelling once more gives the same labels, those of hidden poles included. Where balls were changed there is nothing to
+    /// compare with: labels were kept.
     fn check_labels(&self, report: &mut Validation, run: &Run<'_>) -> Result<()> {
+        if let Balls::Changed(_) = self.balls {
+            return Ok(());
+        }
         let again = label_poles(&self.poles, &self.regular, &self.options, run)?;
         let pairs = self.labels.iter().zip(&again.labels);
         for (pole, (label, expected)) in pairs.enumerate() {
@@ -121,49 +142,102 @@ impl PowerCrust {
         Ok(())
     }
 
-    /// Each face lies between an inner and an outer pole, once for each such edge of the
-    /// regular triangulation, and turns round that edge.
+    /// The faces are those between an inner and an outer pole, in the order of the edges of the regular triangulation, and turn round
+    /// these. Where shards were merged a face has one vertex for all cells of its ring that are the same sample; it may be missing if
+    /// that leaves two.
     fn check_faces(&self, report: &mut Validation, edges: &Edges, run: &Run<'_>) -> Result<()> {
         let indices = |element, name| match self.surface.attribute(element, name)?.values() {
             Values::U32(values) => Some(values),
             Values::F64(_) => None,
         };
-        let (Some(inner), Some(outer), Some(cells)) = (
+        let (Some(inner), Some(outer), Some(cells), Some(samples)) = (
             indices(Element::Face, "inner_pole"),
             indices(Element::Face, "outer_pole"),
             indices(Element::Vertex, "cell"),
+            indices(Element::Vertex, "sample"),
         ) else {
             report.check(false, ElementKind::Face, 0, || "its attributes are missing".into());
             return Ok(());
         };
         let vertex_of_pole = self.regular.points().vertex_of_row();
         let mut room = Room::new(run);
-        let mut separating = Vec::new();
-        for edge in run.watch(edges.ends.iter().zip(&edges.cells)) {
-            let (ends, &cell) = edge?;
-            let [p, q] = ends.map(|v| self.regular.row_of_vertex()[v as usize]);
-            match (self.labels[p as usize], self.labels[q as usize]) {
-                (Label::Inner, Label::Outer) => room.push(&mut separating, (p, q, cell))?,
-                (Label::Outer, Label::Inner) => room.push(&mut separating, (q, p, cell))?,
-                _ => {}
+        let all = room.collect(0..self.regular.cells().len() as u32)?;
+        let of_cells =
+            samples_of_cells(&self.poles, &self.regular, &all, [0.0; 2], &mut room, run)?;
+        let keep = self.shards != Shards::Merge;
+        // A sample, or a cell.
+        let key = |sample: u32, cell: u32| match sample {
+            NONE => (NONE, cell),
+            _ if keep => (NONE, cell),
+            sample => (sample, NONE),
+        };
+        let contracted = |ring: &mut Vec<(u32, u32)>| {
+            ring.dedup();
+            while ring.len() > 1 && ring.first() == ring.last() {
+                ring.pop();
             }
-        }
+        };
         let faces = self.surface.faces();
-        report.check(separating.len() == faces.len(), ElementKind::Face, 0, || {
-            format!("{} faces for {} facets between labels", faces.len(), separating.len())
-        });
-        let mut ring = Vec::new();
-        for (face, (&(p, q, cell), row)) in separating.iter().zip(faces.iter()).enumerate() {
-            if face % 1024 == 0 {
-                run.tick(face + faces.len(), 2 * faces.len())?;
+        let (mut face, mut ring, mut keys, mut found) = (0, Vec::new(), Vec::new(), Vec::new());
+        for (i, (ends, &cell)) in edges.ends.iter().zip(&edges.cells).enumerate() {
+            if i % 1024 == 0 {
+                run.tick(i + edges.ends.len(), 2 * edges.ends.len())?;
             }
+            let [p, q] = ends.map(|v| self.regular.row_of_vertex()[v as usize]);
+            let [p, q] = match (self.labels[p as usize], self.labels[q as usize]) {
+                (Label::Inner, Label::Outer) => [p, q],
+                (Label::Outer, Label::Inner) => [q, p],
+                _ => continue,
+            };
             let [a, b] = [p, q].map(|pole| vertex_of_pole[pole as usize]);
             let closed = self.regular.ring(cell, a, b, &mut ring);
-            let right = (inner[face], outer[face]) == (p, q)
-                && closed
-                && row.iter().map(|&v| cells[v as usize]).eq(ring.iter().copied());
+            keys.clear();
+            keys.extend(ring.iter().map(|&c| key(of_cells[c as usize], c)));
+            contracted(&mut keys);
+            let is_there = face < faces.len() && (inner[face], outer[face]) == (p, q);
+            if is_there {
+                found.clear();
+                found.extend(faces.row(face).iter().map(|&v| {
+                    let v = v as usize;
+                    key(samples[v], cells[v])
+                }));
+                contracted(&mut found);
+            }
+            let right = closed && if is_there { found == keys } else { keys.len() < 3 };
             report.check(right, ElementKind::Face, face as u64, || {
                 format!("it is not the power facet between inner pole {p} and outer pole {q}")
+            });
+            face += usize::from(is_there);
+        }
+        report.check(face == faces.len(), ElementKind::Face, face as u64, || {
+            "it lies between no inner and outer pole, or out of order".into()
+        });
+        Ok(())
+    }
+
+    /// With or without its shards the surface has as many pieces, the same Euler characteristic, and no boundary; its vertices are where
+    /// their samples are, and these on the balls on either side.
+    fn check_shards(&self, report: &mut Validation, run: &Run<'_>) -> Result<()> {
+        if self.shards != Shards::Merge {
+            return Ok(());
+        }
+        let division = Division::new(&self.regular, &self.labels, &mut Room::new(run), run)?;
+        let whole = surface::extract(&self.poles, &self.regular, &division, Shards::Keep, run)?;
+        let [merged, whole] = [&*self.surface, &whole].map(|surface| surface.topology_in(run));
+        let (merged, whole) = (merged?, whole?);
+        let form = |t: &Topology| (t.components, t.euler_characteristic, t.boundary_loops);
+        report.check(form(&merged) == form(&whole), ElementKind::Face, 0, || {
+            format!("merging shards made {:?} of {:?}", form(&merged), form(&whole))
+        });
+        let samples = match self.surface.attribute(Element::Vertex, "sample").map(|a| a.values()) {
+            Some(Values::U32(samples)) => &samples[..],
+            _ => &[],
+        };
+        for (vertex, &sample) in samples.iter().enumerate().filter(|&(_, &s)| s != NONE) {
+            let at = self.poles.triangulation().coords()[sample as usize];
+            let there = self.surface.vertices()[vertex] == at;
+            report.check(there, ElementKind::Vertex, vertex as u64, || {
+                format!("it is not where sample {sample} is")
             });
         }
         Ok(())

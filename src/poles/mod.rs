@@ -6,10 +6,14 @@
 mod export;
 mod feature_size;
 mod merge;
+mod omit;
 mod select;
+mod touch;
 mod validate;
 
-use crate::complex::Hierarchy;
+pub use omit::{Omit, PolesOptions};
+
+use crate::complex::{Hierarchy, Rows};
 use crate::dual::{Dual, DualOptions, LANES, offsets, unit};
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::index::NONE;
@@ -30,7 +34,8 @@ const POLE_MAX: f64 = f64::from_bits((1023 + 400) << 52);
 /// first. Distances are compared by their squares, correctly rounded, and angles exactly, for the exact
 /// centres: among samples an ulp apart rounded ones tell nothing. Where the Voronoi cell is
 /// unbounded (a sample on the hull, without far box) the first pole is at infinity, in the direction of
-/// the mean of the unit directions of the cell's unbounded edges, as it stands in `normals`.
+/// the mean of the unit directions of the cell's unbounded edges, as it stands in `normals`. Poles of misshapen Voronoi cells are left
+/// out if that is asked for ([`Omit`]); their samples have none then.
 ///
 /// Invariants: a pole is one Voronoi vertex, even where several samples choose it or several cells
 /// share it (their spheres are the same, exactly); `cell_of_pole` is the least such cell; poles are
@@ -41,11 +46,14 @@ const POLE_MAX: f64 = f64::from_bits((1023 + 400) << 52);
 #[derive(Clone, Debug)]
 pub struct Poles {
     triangulation: Arc<Triangulation>,
+    options: PolesOptions,
+    lambda: f64,
     balls: Vec<[f64; 4]>,
     radii_squared: Vec<f64>,
     cell_of_pole: Vec<u32>,
     touches_far_box: Vec<bool>,
     pole_of_sample: Vec<[u32; 2]>,
+    samples_on_balls: Rows,
     normals: Vec<[f64; 3]>,
     /// The centres of the balls, for [`Poles::feature_size`]; built when that is first asked.
     hierarchy: OnceLock<Hierarchy<1>>,
@@ -57,14 +65,18 @@ impl Poles {
     ///
     /// Errors: [`Status::TooFewPoints`] below four distinct points, [`Status::Degenerate`] where
     /// all lie in a plane, [`Status::CoordinateRange`] where there is no room for Z, and those
-    /// of the job. Cost: nearly all that of a Delaunay triangulation.
-    pub fn with_far_box(points: &Arc<Points>, job: &Job) -> Result<Self> {
+    /// of the job; with poles to be left out, those of [`Poles::new`]. Cost: nearly all that of a Delaunay triangulation.
+    pub fn with_far_box(points: &Arc<Points>, options: PolesOptions, job: &Job) -> Result<Self> {
         let plan = [(Stage::Triangulate, 0.7), (Stage::Dual, 0.2), (Stage::Poles, 0.1)];
-        job.run(&plan, |run| Poles::with_far_box_in(points, run))
+        job.run(&plan, |run| Poles::with_far_box_in(points, options, run))
     }
 
     /// [`Poles::with_far_box`] as a stage of a larger build.
-    pub(crate) fn with_far_box_in(points: &Arc<Points>, run: &Run<'_>) -> Result<Self> {
+    pub(crate) fn with_far_box_in(
+        points: &Arc<Points>,
+        options: PolesOptions,
+        run: &Run<'_>,
+    ) -> Result<Self> {
         Triangulation::check_solid(points, run)?;
         let mut room = Room::new(run);
         let boxed = Arc::new(points.with_far_box_in(run)?);
@@ -73,27 +85,28 @@ impl Poles {
         room.keep(triangulation.bytes() - boxed.bytes())?;
         let dual = Dual::new_in(&triangulation, DualOptions::default(), run)?;
         room.keep(dual.bytes())?;
-        Poles::new_in(&dual, run)
+        Poles::new_in(&dual, options, run)
     }
 
     /// What the arrays take, those of the triangulation included.
     pub(crate) fn bytes(&self) -> usize {
         (size_of_val(self.balls()) + size_of_val(self.radii_squared()) + 5 * self.len())
             + (size_of_val(self.pole_of_sample()) + size_of_val(self.normals()))
+            + 4 * (self.len() + self.samples_on_balls.indices().len())
             + self.triangulation.bytes()
     }
 
     /// Chooses the poles of every sample from the Voronoi diagram of the sample, or of the sample
     /// with the far box.
     ///
-    /// Errors: [`Status::InvalidArgument`] for a power diagram, and those of the job. Cost: O(m) for
-    /// m cells.
-    pub fn new(dual: &Dual, job: &Job) -> Result<Self> {
-        job.run(&[(Stage::Poles, 1.0)], |run| Poles::new_in(dual, run))
+    /// Errors: [`Status::InvalidArgument`] for a power diagram and for options out of range, [`Status::TooFewPoints`] where
+    /// all poles would be left out, and those of the job. Cost: O(m) for m cells.
+    pub fn new(dual: &Dual, options: PolesOptions, job: &Job) -> Result<Self> {
+        job.run(&[(Stage::Poles, 1.0)], |run| Poles::new_in(dual, options, run))
     }
 
     /// [`Poles::new`] as a stage of a larger build.
-    pub(crate) fn new_in(dual: &Dual, run: &Run<'_>) -> Result<Self> {
+    pub(crate) fn new_in(dual: &Dual, options: PolesOptions, run: &Run<'_>) -> Result<Self> {
         run.enter(Stage::Poles)?;
         let t = dual.triangulation();
         if t.is_weighted() {
@@ -105,8 +118,13 @@ impl Poles {
         let samples = sample_count(t.points());
         let mut room = Room::new(run);
         let least_cell = merge::least_cells(dual, &mut room, run)?;
-        let Selection { first, second, mut normals } =
-            Selection::new(dual, samples, &mut room, run)?;
+        let mut selection = Selection::new(dual, samples, &mut room, run)?;
+        let chunks = parts(samples).into_iter().zip(selection.normals.chunks_mut(PART)).collect();
+        run.in_steps(chunks, [0.6, 0.7], |(range, normals)| {
+            directions(t, &selection.first[range.clone()], range.start, normals, run)
+        })?;
+        let lambda = omit::omit(dual, &mut selection, options, &mut room, run)?;
+        let Selection { first, second, normals } = selection;
         let mut numbers = room.filled(t.cells().len(), NONE)?;
         let cell_of_pole = number(dual, &least_cell, [&first, &second], &mut numbers, run)?;
         let mut touches_far_box = room.filled(cell_of_pole.len(), false)?;
@@ -117,22 +135,24 @@ impl Poles {
         };
         let pairs = first.iter().zip(&second).map(|(p, q)| [pole(p), pole(q)]);
         let pole_of_sample = room.collect(pairs)?;
-        let chunks = parts(samples).into_iter().zip(normals.chunks_mut(PART)).collect();
-        run.in_steps(chunks, [0.9, 1.0], |(range, normals)| {
-            directions(t, &first[range.clone()], range.start, normals, run)
-        })?;
+        let pole_of_cell = |cell: usize| numbers[least_cell[cell] as usize];
+        let samples_on_balls =
+            touch::samples_on_balls(t, samples, cell_of_pole.len(), pole_of_cell, &mut room, run)?;
         let ball = |&cell: &u32| {
             let [x, y, z] = position(dual, cell);
             [x, y, z, dual.radii_squared()[cell as usize].sqrt()]
         };
         Ok(Poles {
             triangulation: t.clone(),
+            options,
+            lambda,
             balls: room.collect(cell_of_pole.iter().map(ball))?,
             radii_squared: room
                 .collect(cell_of_pole.iter().map(|&c| dual.radii_squared()[c as usize]))?,
             cell_of_pole,
             touches_far_box,
             pole_of_sample,
+            samples_on_balls,
             normals,
             hierarchy: OnceLock::new(),
         })
@@ -141,6 +161,16 @@ impl Poles {
     /// The triangulation of the sample, with the far box if there is one.
     pub fn triangulation(&self) -> &Arc<Triangulation> {
         &self.triangulation
+    }
+
+    /// What was asked for.
+    pub fn options(&self) -> &PolesOptions {
+        &self.options
+    }
+
+    /// The lambda by which poles were left out, given or estimated; 0 if that was not asked for.
+    pub fn lambda(&self) -> f64 {
+        self.lambda
     }
 
     /// Whether the poles were chosen with the far box.
@@ -185,10 +215,16 @@ impl Poles {
         &self.touches_far_box
     }
 
-    /// The first and the second pole of each sample, n x 2; [`NONE`] for a first pole at infinity, and
-    /// where there is no second one.
+    /// The first and the second pole of each sample, n x 2; [`NONE`] for a first pole at infinity, where
+    /// there is no second one, and for those left out.
     pub fn pole_of_sample(&self) -> &[[u32; 2]] {
         &self.pole_of_sample
+    }
+
+    /// The samples on each polar ball, ascending: those whose Voronoi cells meet at the pole. There are four of them, or
+    /// more where samples are cospherical, or fewer where the ball touches the far box.
+    pub fn samples_on_balls(&self) -> &Rows {
+        &self.samples_on_balls
     }
 
     /// The unit direction from each sample to its first pole, n x 3, an estimate of the surface's

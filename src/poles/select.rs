@@ -36,7 +36,7 @@ impl Selection {
         let incidence = dual.triangulation().incidence_in(run)?;
         let results = first.chunks_mut(PART / 8).zip(second.chunks_mut(PART / 8));
         let chunks = results.zip(normals.chunks(PART / 8)).enumerate().collect();
-        run.in_steps(chunks, [0.4, 0.8], |(chunk, ((first, second), normals))| {
+        run.in_steps(chunks, [0.3, 0.6], |(chunk, ((first, second), normals))| {
             for (i, normal) in normals.iter().enumerate() {
                 let sample = chunk * (PART / 8) + i;
                 let cells = incidence.cells_of(sample as u32);

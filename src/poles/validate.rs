@@ -1,7 +1,7 @@
 //! The check of poles: the farthest vertices, each once, in order.
 
 use super::select::{is_farther, is_opposite};
-use super::{Poles, position, sample_count};
+use super::{Omit, Poles, position, sample_count};
 use crate::dual::{Dual, DualOptions, unit};
 use crate::error::{ElementKind, Result};
 use crate::index::NONE;
@@ -128,7 +128,7 @@ impl Poles {
             let normal = self.normals[sample];
             let towards = match to_infinity {
                 Some(direction) => normal == direction,
-                None => first != NONE && self.points_at(dual, normal, sample, first),
+                None => self.points_at(dual, normal, sample, farthest(&mut cells.iter().copied())),
             };
             report.check(towards, ElementKind::Vertex, id, || {
                 "its normal is not the unit vector towards its first pole".into()
@@ -137,16 +137,60 @@ impl Poles {
                 true => NONE,
                 false => farthest(&mut cells.iter().copied()),
             };
-            report.check(self.is_pole_at(dual, first, expected), ElementKind::Vertex, id, || {
+            let opposite = |&cell: &u32| is_opposite(dual, sample, cell, expected, normal);
+            let opposite = farthest(&mut cells.iter().copied().filter(opposite));
+            let is_kept = self.kept(dual, sample as u32, cells, [expected, opposite]);
+            let right = |pole, cell, is_kept| match is_kept {
+                // On the verge of being left out.
+                None => pole == NONE || self.is_pole_at(dual, pole, cell),
+                Some(true) => self.is_pole_at(dual, pole, cell),
+                Some(false) => pole == NONE,
+            };
+            report.check(right(first, expected, is_kept[0]), ElementKind::Vertex, id, || {
                 "its first pole is not the farthest vertex of its Voronoi cell".into()
             });
-            let opposite = |&cell: &u32| is_opposite(dual, sample, cell, expected, normal);
-            let expected = farthest(&mut cells.iter().copied().filter(opposite));
-            report.check(self.is_pole_at(dual, second, expected), ElementKind::Vertex, id, || {
+            report.check(right(second, opposite, is_kept[1]), ElementKind::Vertex, id, || {
                 "its second pole is not the farthest vertex opposite the first".into()
             });
         }
         Ok(())
+    }
+
+    /// Whether the two poles of a sample are left in, given their cells; `None` where rounding decides that. By angles, as the paper
+    /// has it.
+    fn kept(&self, dual: &Dual, sample: u32, cells: &[u32], poles: [u32; 2]) -> [Option<bool>; 2] {
+        if self.options.omit == Omit::Nothing {
+            return [Some(true); 2];
+        }
+        let (s, n) = (self.triangulation.coords()[sample as usize], self.normals[sample as usize]);
+        let mut bound = 0.0f64;
+        for &cell in cells {
+            let corners = self.triangulation.cells()[cell as usize];
+            if corners.iter().any(|&v| v as usize >= self.normals.len()) {
+                continue;
+            }
+            let v = [0, 1, 2].map(|k| dual.centers()[cell as usize][k] - s[k]);
+            let distance = v.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let cosine = v.iter().zip(n).map(|(x, n)| x * n).sum::<f64>().abs() / distance;
+            let beta = libm::acos(cosine.min(1.0));
+            if beta > 2.0 * self.lambda {
+                bound = bound.max(distance * libm::sin(beta - self.lambda) / self.lambda);
+            }
+        }
+        let is_long = poles.map(|cell| match cell {
+            NONE => Some(true),
+            cell => {
+                let distance = dual.radii_squared()[cell as usize].sqrt();
+                let is_told = (distance - bound).abs() > 1e-6 * bound;
+                is_told.then_some(distance > bound)
+            }
+        });
+        match (self.options.omit, is_long) {
+            (Omit::Both, [Some(true), Some(true)]) => [Some(true); 2],
+            (Omit::Both, long) if long.contains(&Some(false)) => [Some(false); 2],
+            (Omit::Both, _) => [None; 2],
+            _ => is_long,
+        }
     }
 
     /// The direction of the pole at infinity of a sample with the given cells, if it is on the hull.
@@ -165,11 +209,11 @@ impl Poles {
         sum.map(unit)
     }
 
-    /// Whether the vector has length 1 and points from the sample at the pole, as far as the rounding of the
-    /// pole's centre shows.
-    fn points_at(&self, dual: &Dual, normal: [f64; 3], sample: usize, pole: u32) -> bool {
+    /// Whether the vector has length 1 and points from the sample at the centre of the cell, as far as the rounding of that
+    /// shows.
+    fn points_at(&self, dual: &Dual, normal: [f64; 3], sample: usize, cell: u32) -> bool {
         // Not the ball's centre, which is kept within the range of predicates.
-        let center = dual.centers()[self.cell_of_pole[pole as usize] as usize];
+        let center = dual.centers()[cell as usize];
         let s = self.triangulation.coords()[sample];
         let offset = [0, 1, 2].map(|k| center[k] - s[k]);
         let largest = |v: [f64; 3]| v.iter().fold(0.0, |most: f64, x| most.max(x.abs()));

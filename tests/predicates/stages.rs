@@ -49,7 +49,8 @@ fn power_tests_of_poles_seldom_need_integers() {
         let job = Job::default();
         let points =
             |rows: &[[f64; 3]]| Arc::new(Points::new(rows, Default::default(), &job).unwrap());
-        let poles = Arc::new(Poles::with_far_box(&points(&rows), &job).unwrap());
+        let poles =
+            Arc::new(Poles::with_far_box(&points(&rows), Default::default(), &job).unwrap());
         let counts = |round_poles| {
             let options = PowerCrustOptions { round_poles, ..Default::default() };
             let before = ALL.map(settled);

@@ -174,7 +174,7 @@ fn files_hold_what_the_library_makes() {
     let delaunay = Triangulation::delaunay(&points, &job).unwrap();
     assert_eq!(cells, delaunay.cells().len());
     let count = place.json("poles in.ply --far-box --validate")["counts"]["poles"].clone();
-    assert_eq!(count, Poles::with_far_box(&points, &job).unwrap().len());
+    assert_eq!(count, Poles::with_far_box(&points, Default::default(), &job).unwrap().len());
 }
 
 #[test]

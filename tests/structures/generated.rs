@@ -110,7 +110,7 @@ proptest! {
         let Ok(delaunay) = Triangulation::delaunay(&points, &job) else { return Ok(()) };
         let dual = Arc::new(Dual::new(&Arc::new(delaunay), options, &job).unwrap());
         sound(dual.validate(&job), "Voronoi diagram")?;
-        sound(Poles::new(&dual, &job).unwrap().validate(&job), "poles")?;
+        sound(Poles::new(&dual, Default::default(), &job).unwrap().validate(&job), "poles")?;
         let regular = Triangulation::regular(&points, &weights, &job).unwrap();
         let power = Dual::new(&Arc::new(regular), options, &job).unwrap();
         sound(power.validate(&job), "power diagram")?;

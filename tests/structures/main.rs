@@ -8,3 +8,4 @@ mod points;
 mod poles;
 mod sets;
 mod triangulation;
+mod variants;

@@ -20,13 +20,17 @@ fn dual_of(points: Points) -> Dual {
 
 /// The poles of the sample alone.
 fn alone(rows: &[[f64; 3]]) -> Poles {
-    Poles::new(&dual_of(points(rows)), &Job::default()).unwrap()
+    Poles::new(&dual_of(points(rows)), Default::default(), &Job::default()).unwrap()
 }
 
 /// The poles of the sample with the far box.
 fn boxed(rows: &[[f64; 3]]) -> Poles {
-    Poles::new(&dual_of(points(rows).with_far_box(&Job::default()).unwrap()), &Job::default())
-        .unwrap()
+    Poles::new(
+        &dual_of(points(rows).with_far_box(&Job::default()).unwrap()),
+        Default::default(),
+        &Job::default(),
+    )
+    .unwrap()
 }
 
 fn assert_valid(poles: &Poles, name: &str) {
@@ -398,7 +402,7 @@ fn bad_input_is_an_error_that_says_where() {
     let t =
         Triangulation::regular(&Arc::new(points(&rows)), &vec![0.0; rows.len()], &Job::default());
     let dual = Dual::new(&Arc::new(t.unwrap()), DualOptions::default(), &Job::default()).unwrap();
-    let error = Poles::new(&dual, &Job::default()).unwrap_err();
+    let error = Poles::new(&dual, Default::default(), &Job::default()).unwrap_err();
     assert_eq!(error.status(), Status::InvalidArgument);
     let spent = Job::default();
     spent.cancel();

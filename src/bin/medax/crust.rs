@@ -1,5 +1,6 @@
 //! `medax crust`: the power crust, the power shape and the labelled poles.
 
+use crate::omit::OmitOptions;
 use crate::report::{Counts, Report};
 use crate::session::{Failure, OutputOptions, ReadOptions, Session, ValidateOptions};
 use medax::crust::{Label, PowerCrustOptions};
@@ -36,6 +37,11 @@ pub struct Options {
     /// Round the centres of the poles' balls to a grid, 2^-36 of the size of the sample, which is faster
     #[arg(long)]
     round_poles: bool,
+    /// Keep the shards of every sample: vertices of the power diagram that are the sample but for rounding
+    #[arg(long)]
+    keep_shards: bool,
+    #[command(flatten)]
+    omit: OmitOptions,
     #[command(flatten)]
     validate: ValidateOptions,
 }
@@ -72,6 +78,8 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
         }
     };
     asked.round_poles = options.round_poles;
+    asked.keep_shards = options.keep_shards;
+    asked.poles = options.omit.translate()?;
     let soup = session.read(&options.input)?;
     let (points, input) = session.points(&options.input, &soup, &options.read)?;
     drop(soup);
@@ -83,11 +91,13 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     for (name, value) in [
         ("deep_degrees", json!(options.deep_degrees.unwrap_or(degrees))),
         ("round_poles", json!(options.round_poles)),
+        ("keep_shards", json!(options.keep_shards)),
         ("triangles", json!(options.triangles)),
         ("side", json!(options.side.name())),
     ] {
         report.parameters.insert(name.into(), value);
     }
+    options.omit.report(&mut report, crust.poles());
     options.validate.report(&mut report, || crust.validate(&session.job))?;
     describe(&crust, &mut report);
     if crust.surface().faces().is_empty() {

@@ -6,6 +6,7 @@
 mod compare;
 mod crust;
 mod info;
+mod omit;
 mod poles;
 mod progress;
 mod report;

@@ -1,5 +1,6 @@
 //! `medax poles`: the poles of a sample, and its normals.
 
+use crate::omit::OmitOptions;
 use crate::report::{Counts, Report};
 use crate::session::{Failure, OutputOptions, ReadOptions, Session, ValidateOptions};
 use medax::dual::{Dual, DualOptions};
@@ -25,6 +26,8 @@ pub struct Options {
     #[arg(long)]
     far_box: bool,
     #[command(flatten)]
+    omit: OmitOptions,
+    #[command(flatten)]
     validate: ValidateOptions,
 }
 
@@ -38,15 +41,16 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     options.output.describe(&mut report.parameters);
     report.parameters.insert("far_box".into(), json!(options.far_box));
     let poles = match options.far_box {
-        true => Poles::with_far_box(&points, &session.job)?,
+        true => Poles::with_far_box(&points, options.omit.translate()?, &session.job)?,
         false => {
             let triangulation = Arc::new(Triangulation::delaunay(&points, &session.job)?);
             report.counts.cells = Some(triangulation.cells().len() as u64);
             let dual = Dual::new(&triangulation, DualOptions::default(), &session.job)?;
-            Poles::new(&dual, &session.job)?
+            Poles::new(&dual, options.omit.translate()?, &session.job)?
         }
     };
     options.validate.report(&mut report, || poles.validate(&session.job))?;
+    options.omit.report(&mut report, &poles);
     let complex = poles.to_complex()?;
     let count = |wanted: fn(&&[u32; 2]) -> bool| {
         poles.pole_of_sample().iter().filter(wanted).count() as u64
@@ -62,7 +66,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     report.more.insert("samples_without_finite_pole".into(), missing);
     if first_missing + second_missing > 0 {
         let line = format!("{first_missing} first and {second_missing} second poles");
-        report.lines.push(("at infinity", line));
+        report.lines.push(("at infinity or left out", line));
     }
     let path = options.output.output.as_deref();
     report.outputs.push(session.deliver("poles", &complex, path, &options.output)?);

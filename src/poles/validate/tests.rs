@@ -13,7 +13,10 @@ fn poles() -> [Poles; 2] {
     let points = Arc::new(Points::new(&rows, Default::default(), &job).unwrap());
     let t = crate::Triangulation::delaunay(&points, &job).unwrap();
     let dual = Dual::new(&Arc::new(t), DualOptions::default(), &job).unwrap();
-    [Poles::new(&dual, &job).unwrap(), Poles::with_far_box(&points, &job).unwrap()]
+    [
+        Poles::new(&dual, Default::default(), &job).unwrap(),
+        Poles::with_far_box(&points, Default::default(), &job).unwrap(),
+    ]
 }
 
 fn is_valid(poles: &Poles) -> bool {
