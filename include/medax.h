@@ -325,6 +325,11 @@ typedef struct medax_power_crust medax_power_crust;
 typedef struct medax_samples medax_samples;
 
 /**
+ * A simplified power crust, and what became of the poles.
+ */
+typedef struct medax_simplified medax_simplified;
+
+/**
  * A Delaunay or regular triangulation: finite cells and their neighbours.
  */
 typedef struct medax_triangulation medax_triangulation;
@@ -1446,6 +1451,36 @@ MEDAX_API void medax_dual_free(const medax_dual *dual);
  */
 
 /**
+ * What is left out where the Voronoi cell of a sample is not long and thin: where one of its poles is nearer than the cell's
+ * width allows for the spacing `lambda` (section 6 of the paper).
+ */
+enum medax_omit
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Nothing.
+     */
+    MEDAX_OMIT_NOTHING = 0,
+    /**
+     * The pole that is too near: for noise.
+     */
+    MEDAX_OMIT_SIDE = 1,
+    /**
+     * Both poles of the sample where one is too near: for sharp edges and corners.
+     */
+    MEDAX_OMIT_BOTH = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum medax_omit medax_omit;
+#else
+typedef uint32_t medax_omit;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
  * The settings of poles.
  */
 typedef struct {
@@ -2001,7 +2036,218 @@ MEDAX_API const medax_power_crust *medax_power_crust_clone(const medax_power_cru
  */
 MEDAX_API void medax_power_crust_free(const medax_power_crust *crust);
 
-/* ---- 13. Complex ------------------------------------------------------------------------------
+/* ---- 13. Power crusts of other balls ----------------------------------------------------------
+ *
+ * Offsets, simplified power shapes and surfaces with holes are made from a power crust without starting over. Labels are kept, and so
+ * are the numbers of poles: those whose balls are left out have no vertex in the regular triangulation.
+ * (Amenta, Choi, Kolluri 2001, The Power Crust, section 7.)
+ */
+
+/**
+ * How far a power shape is simplified.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * Poles go whose samples are all within this distance of each other, in input units; negative, as by default, for a hundredth
+     * of the diagonal of the samples' box.
+     */
+    double epsilon;
+    /**
+     * Poles go whose balls lie in that of a larger ball, grown by this, in input units; negative, as by default, for three
+     * thousandths of the diagonal.
+     */
+    double delta;
+} medax_simplify_options;
+
+/**
+ * Which faces of a power crust fill holes.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * The two balls of a face intersect deeply where -cos of the angle between their spheres exceeds this; in [0, 1], 0.1 by
+     * default.
+     */
+    double depth;
+    /**
+     * And both radii exceed this, in input units; 0 by default.
+     */
+    double radius;
+} medax_hole_options;
+
+/**
+ * Builds an approximate offset surface: outside the solid for a positive distance, inside for a negative one.
+ *
+ * The radius of every inner ball grows by the distance, that of every outer ball shrinks by it; balls whose radius falls to 0
+ * vanish, and do not come back. The result is a power crust, closed, and empty where no inner ball is left. Its surface has
+ * no samples among its vertices.
+ *
+ * \param crust The power crust.
+ * \param distance The signed distance, in input units.
+ * \param job NULL for a default job.
+ * \param out_crust Receives the power crust of the changed balls, which the caller frees with #medax_power_crust_free.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for a distance that is not finite; `TOO_FEW_POINTS` or `DEGENERATE` where too few balls
+ *         are left; `NULL_ARGUMENT`, `LIMIT_EXCEEDED`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * One regular triangulation. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_power_crust_offset(const medax_power_crust *crust,
+                                      double distance,
+                                      const medax_job *job,
+                                      const medax_power_crust **out_crust);
+
+/**
+ * Sets simplify options to their defaults.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_simplify_options_init(medax_simplify_options *options,
+                                         size_t struct_size);
+
+/**
+ * Simplifies a power crust: unstable poles go, then redundant ones, inner and outer alike, and the power diagram of what is left is
+ * calculated anew.
+ *
+ * A pole is unstable if no two samples on its ball are farther apart than epsilon; a ball that touches the far box is stable. Of
+ * the others, a pole is redundant if its ball lies in that of another one of its side, which is larger, grown by delta. Balls are looked
+ * at from the largest to the smallest.
+ *
+ * \param crust The power crust.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_simplified Receives the result, which the caller frees with #medax_simplified_free.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for an epsilon or a delta that is not finite; `TOO_FEW_POINTS` or `DEGENERATE` where
+ *         too few poles are left; `NULL_ARGUMENT`, `LIMIT_EXCEEDED`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * One regular triangulation, of what is left. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_power_crust_simplify(const medax_power_crust *crust,
+                                        const medax_simplify_options *options,
+                                        const medax_job *job,
+                                        const medax_simplified **out_simplified);
+
+/**
+ * The power crust of the poles that are left.
+ *
+ * \param simplified The result.
+ * \param out_crust Receives the power crust, which the caller frees with #medax_power_crust_free.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_simplified_crust(const medax_simplified *simplified,
+                                    const medax_power_crust **out_crust);
+
+/**
+ * The epsilon that was used.
+ *
+ * \param simplified The result, or NULL.
+ * \return In input units; 0 for NULL.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API double medax_simplified_epsilon(const medax_simplified *simplified);
+
+/**
+ * The delta that was used.
+ *
+ * \param simplified The result, or NULL.
+ * \return In input units; 0 for NULL.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API double medax_simplified_delta(const medax_simplified *simplified);
+
+/**
+ * The poles that were unstable.
+ *
+ * \param simplified The result, or NULL.
+ * \return Poles, ascending. Borrowed from `simplified`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_simplified_unstable(const medax_simplified *simplified);
+
+/**
+ * The poles that were redundant, and which pole keeps the place of each.
+ *
+ * \param simplified The result, or NULL.
+ * \return Rows of two poles, ascending: the one that went, and the one that is left, whose ball, grown by delta, holds the other's.
+ *         Borrowed from `simplified`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_u32 medax_simplified_redundant(const medax_simplified *simplified);
+
+/**
+ * One more reference to the result of a simplification.
+ *
+ * \param simplified The result, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_simplified *medax_simplified_clone(const medax_simplified *simplified);
+
+/**
+ * Gives one reference to the result of a simplification back; the last one frees it.
+ *
+ * \param simplified The result; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_simplified_free(const medax_simplified *simplified);
+
+/**
+ * Sets hole options to their defaults.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_status medax_hole_options_init(medax_hole_options *options, size_t struct_size);
+
+/**
+ * The surface of a power crust without the faces that fill holes: those between an inner and an outer ball that intersect
+ * deeply and are large.
+ *
+ * \param crust The power crust.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_surface Receives the faces that are left, which the caller frees with #medax_complex_free; #medax_complex_topology counts
+ *        its boundary loops.
+ * \param out_left_out Receives the faces that were left out, with the attribute `face`, their numbers in the whole surface;
+ *        the caller frees it with #medax_complex_free. NULL if it is not wanted.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for options out of range; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_power_crust_open(const medax_power_crust *crust,
+                                    const medax_hole_options *options,
+                                    const medax_job *job,
+                                    const medax_complex **out_surface,
+                                    const medax_complex **out_left_out);
+
+/* ---- 14. Complex ------------------------------------------------------------------------------
  *
  * The one output type: vertices; faces, which are polygons; loose edges, which are no side of a
  * face; volume cells; named attributes on each of them; and the faces cut into triangles.
@@ -2278,7 +2524,7 @@ MEDAX_API const medax_complex *medax_complex_clone(const medax_complex *complex)
  */
 MEDAX_API void medax_complex_free(const medax_complex *complex);
 
-/* ---- 14. Topology -----------------------------------------------------------------------------
+/* ---- 15. Topology -----------------------------------------------------------------------------
  *
  * What a complex is as a set of elements that share others, told from its indices alone: vertices
  * that merely lie at the same place are different vertices.
@@ -2435,7 +2681,7 @@ medax_status medax_complex_validate(const medax_complex *complex,
                                     const medax_job *job,
                                     medax_validation *out_report);
 
-/* ---- 15. Comparison ---------------------------------------------------------------------------
+/* ---- 16. Comparison ---------------------------------------------------------------------------
  *
  * How far two complexes are apart as sets of points: their faces, loose edges and cells, which are
  * solid; or their vertices, where they have none of these.
@@ -2532,7 +2778,7 @@ medax_status medax_complex_compare(const medax_complex *a,
                                    const medax_job *job,
                                    medax_comparison *out_report);
 
-/* ---- 16. File contents ------------------------------------------------------------------------
+/* ---- 17. File contents ------------------------------------------------------------------------
  *
  * What a file holds, before points or a complex are made of it. Reading trusts nothing, and an error
  * names the line of a text or the byte of a binary file. The ending of a path names the format:
@@ -2708,7 +2954,7 @@ MEDAX_API const medax_file *medax_file_clone(const medax_file *file);
  */
 MEDAX_API void medax_file_free(const medax_file *file);
 
-/* ---- 17. Reading and writing ------------------------------------------------------------------
+/* ---- 18. Reading and writing ------------------------------------------------------------------
  *
  * Written are PLY, OFF, OBJ, STL, XYZ, PTS, TXT, CSV, MA and VTU, by the ending of the path, to a
  * file beside the given name, which is moved into place when it is complete: after an error, a file
@@ -2859,7 +3105,7 @@ MEDAX_API const medax_warnings *medax_warnings_clone(const medax_warnings *warni
  */
 MEDAX_API void medax_warnings_free(const medax_warnings *warnings);
 
-/* ---- 18. Samples ------------------------------------------------------------------------------
+/* ---- 19. Samples ------------------------------------------------------------------------------
  *
  * Points of the surfaces of built-in shapes and of meshes, evenly spread: no two are nearer than
  * the spacing. The same options give the same points on every machine.

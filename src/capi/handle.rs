@@ -67,6 +67,11 @@ pub struct medax_power_crust {
     pub(super) crust: Arc<crate::PowerCrust>,
 }
 
+/// A simplified power crust, and what became of the poles.
+pub struct medax_simplified {
+    pub(super) simplified: crate::crust::Simplified,
+}
+
 /// Vertices, polygons, loose edges, volume cells and named attributes: every result that can be
 /// drawn or written.
 pub struct medax_complex {
@@ -90,6 +95,7 @@ impl Handle for medax_file {}
 impl Handle for medax_warnings {}
 impl Handle for medax_poles {}
 impl Handle for medax_power_crust {}
+impl Handle for medax_simplified {}
 impl Handle for medax_complex {}
 
 /// A new handle with one reference, which the caller owns.

@@ -31,3 +31,4 @@ mod status;
 mod topology;
 mod triangulation;
 mod validation;
+mod variants;

@@ -39,7 +39,7 @@ impl PowerCrust {
     /// Errors: [`Status::InvalidArgument`] for options out of range, and those of the job. Cost: O(size of the surface).
     pub fn open(&self, options: HoleOptions, job: &Job) -> Result<OpenSurface> {
         let HoleOptions { depth, radius } = options;
-        if !(0.0..=1.0).contains(&depth) || !(radius.is_finite() && radius >= 0.0) {
+        if !((0.0..=1.0).contains(&depth) && radius.is_finite() && radius >= 0.0) {
             let message = "depth must lie in [0, 1], and radius must be finite and not negative";
             return Err(Error::new(Status::InvalidArgument, message));
         }

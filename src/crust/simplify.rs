@@ -8,6 +8,7 @@ use crate::error::{Error, Result, Status};
 use crate::index::NONE;
 use crate::job::{Job, Room, Run, parts};
 use crate::sort::{float_key, sort_by_key};
+use std::sync::Arc;
 
 /// How far a power shape is simplified.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +36,7 @@ const DELTA: f64 = 0.003;
 #[derive(Clone, Debug)]
 pub struct Simplified {
     /// The power crust of the poles that are left.
-    pub crust: PowerCrust,
+    pub crust: Arc<PowerCrust>,
     /// The epsilon and the delta, in input units.
     pub epsilon: f64,
     /// See `epsilon`.
@@ -89,7 +90,7 @@ impl PowerCrust {
                     room.push(&mut redundant, [pole as u32, keeper[pole]])?;
                 }
             }
-            Ok(Simplified { crust, epsilon, delta, unstable, redundant })
+            Ok(Simplified { crust: Arc::new(crust), epsilon, delta, unstable, redundant })
         })
     }
 

@@ -85,14 +85,30 @@ FIELD(medax_write_options, struct_size, 0);
 FIELD(medax_write_options, text, 8);
 FIELD(medax_write_options, reserved, 12);
 
-SIZE(medax_poles_options, 8);
+SIZE(medax_poles_options, 24);
 FIELD(medax_poles_options, struct_size, 0);
+FIELD(medax_poles_options, lambda, 8);
+FIELD(medax_poles_options, omit, 16);
+FIELD(medax_poles_options, reserved, 20);
 
-SIZE(medax_power_crust_options, 24);
+SIZE(medax_power_crust_options, 40);
 FIELD(medax_power_crust_options, struct_size, 0);
 FIELD(medax_power_crust_options, deep, 8);
-FIELD(medax_power_crust_options, round_poles, 16);
-FIELD(medax_power_crust_options, reserved, 20);
+FIELD(medax_power_crust_options, lambda, 16);
+FIELD(medax_power_crust_options, round_poles, 24);
+FIELD(medax_power_crust_options, keep_shards, 28);
+FIELD(medax_power_crust_options, omit, 32);
+FIELD(medax_power_crust_options, reserved, 36);
+
+SIZE(medax_simplify_options, 24);
+FIELD(medax_simplify_options, struct_size, 0);
+FIELD(medax_simplify_options, epsilon, 8);
+FIELD(medax_simplify_options, delta, 16);
+
+SIZE(medax_hole_options, 24);
+FIELD(medax_hole_options, struct_size, 0);
+FIELD(medax_hole_options, depth, 8);
+FIELD(medax_hole_options, radius, 16);
 
 SIZE(medax_dual_options, 16);
 FIELD(medax_dual_options, struct_size, 0);

@@ -224,7 +224,16 @@ void crusts() {
           == crust.shape(MEDAX_LABEL_INNER).vertices().rows());
 
     const std::string path = "cxx_surface.off";
-    CHECK(surface.write(path).count() == 3);
+    CHECK(surface.write(path).count() == 4);
+    const medax::PowerCrust larger = crust.offset(0.01);
+    CHECK(larger.validate().is_valid() && !larger.surface().faces().empty());
+    const medax::Simplified simplified = crust.simplify();
+    CHECK(simplified.epsilon() > simplified.delta() && simplified.delta() > 0);
+    CHECK(simplified.crust().validate().is_valid());
+    CHECK(simplified.unstable().rows() + simplified.redundant().rows() < crust.labels().rows());
+    const auto [left, left_out] = crust.open();
+    CHECK(left.faces().rows() + left_out.faces().rows() == crust.surface().faces().rows());
+    CHECK(poles.samples_on_balls().rows() == crust.labels().rows() && poles.lambda() == 0);
     const medax::Complex both = crust.both_shapes();
     CHECK(both.vertices().rows() == crust.shape(MEDAX_LABEL_INNER).vertices().rows()
                                         + crust.shape(MEDAX_LABEL_OUTER).vertices().rows());

@@ -8,11 +8,17 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace medax {
 
 using PowerCrustOptions =
     detail::Options<medax_power_crust_options, medax_power_crust_options_init>;
+
+using SimplifyOptions = detail::Options<medax_simplify_options, medax_simplify_options_init>;
+using HoleOptions = detail::Options<medax_hole_options, medax_hole_options_init>;
+
+class Simplified;
 
 /// A power crust with all that it was made from.
 class PowerCrust
@@ -77,9 +83,54 @@ public:
         detail::check(medax_power_crust_both_shapes(get(), &complex));
         return Complex(complex);
     }
+    /// An approximate offset surface: outside for a positive distance, inside for a negative one.
+    PowerCrust offset(double distance, const Job &job = Job::fresh()) const {
+        const medax_power_crust *offset = nullptr;
+        job.check(medax_power_crust_offset(get(), distance, job.get(), &offset));
+        return PowerCrust(offset);
+    }
+    /// The power crust of stable poles that are not redundant.
+    inline Simplified simplify(const SimplifyOptions &options = {},
+                               const Job &job = Job::fresh()) const;
+    /// The surface without the faces that fill holes, and these.
+    std::pair<Complex, Complex> open(const HoleOptions &options = {},
+                                     const Job &job = Job::fresh()) const {
+        const medax_complex *surface = nullptr, *left_out = nullptr;
+        job.check(medax_power_crust_open(get(), &options, job.get(), &surface, &left_out));
+        return {Complex(surface), Complex(left_out)};
+    }
     Validation validate(const Job &job = Job::fresh()) const {
         return detail::validated(medax_power_crust_validate, get(), job);
     }
 };
+
+/// A simplified power crust, and what became of the poles.
+class Simplified
+    : public detail::Handle<medax_simplified, medax_simplified_clone, medax_simplified_free> {
+public:
+    /// Takes over a reference that a function of medax.h gave.
+    explicit Simplified(const medax_simplified *owned) noexcept : Handle(owned) {}
+
+    PowerCrust crust() const {
+        const medax_power_crust *crust = nullptr;
+        detail::check(medax_simplified_crust(get(), &crust));
+        return PowerCrust(crust);
+    }
+    double epsilon() const noexcept { return medax_simplified_epsilon(get()); }
+    double delta() const noexcept { return medax_simplified_delta(get()); }
+    View<std::uint32_t> unstable() const noexcept {
+        return detail::view(medax_simplified_unstable(get()));
+    }
+    /// Rows of two poles: the one that went, and the one that keeps its place.
+    View<std::uint32_t> redundant() const noexcept {
+        return detail::view(medax_simplified_redundant(get()));
+    }
+};
+
+inline Simplified PowerCrust::simplify(const SimplifyOptions &options, const Job &job) const {
+    const medax_simplified *simplified = nullptr;
+    job.check(medax_power_crust_simplify(get(), &options, job.get(), &simplified));
+    return Simplified(simplified);
+}
 
 }  // namespace medax

@@ -53,6 +53,12 @@ public:
     View<std::uint32_t> pole_of_sample() const noexcept {
         return detail::view(medax_poles_pole_of_sample(get()));
     }
+    /// The samples on each polar ball.
+    Rows samples_on_balls() const noexcept {
+        return Rows(medax_poles_samples_on_balls(get()));
+    }
+    /// The lambda by which poles were left out; 0 if that was not asked for.
+    double lambda() const noexcept { return medax_poles_lambda(get()); }
     View<double> normals() const noexcept { return detail::view(medax_poles_normals(get())); }
 
     /// The distance from each point to the nearest pole.

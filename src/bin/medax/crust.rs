@@ -3,6 +3,7 @@
 use crate::omit::OmitOptions;
 use crate::report::{Counts, Report};
 use crate::session::{Failure, OutputOptions, ReadOptions, Session, ValidateOptions};
+use crate::variants::VariantOptions;
 use medax::crust::{Label, PowerCrustOptions};
 use medax::{Complex, PowerCrust};
 use serde_json::json;
@@ -43,6 +44,8 @@ pub struct Options {
     #[command(flatten)]
     omit: OmitOptions,
     #[command(flatten)]
+    variants: VariantOptions,
+    #[command(flatten)]
     validate: ValidateOptions,
 }
 
@@ -65,6 +68,7 @@ impl Side {
 
 pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> {
     options.output.check(&[&options.shape, &options.poles])?;
+    options.variants.check()?;
     let mut asked = match options.deep_degrees {
         None => PowerCrustOptions::default(),
         Some(degrees) if (90.0..=180.0).contains(&degrees) => {
@@ -98,6 +102,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
         report.parameters.insert(name.into(), value);
     }
     options.omit.report(&mut report, crust.poles());
+    let crust = options.variants.apply(crust, &mut report, session)?;
     options.validate.report(&mut report, || crust.validate(&session.job))?;
     describe(&crust, &mut report);
     if crust.surface().faces().is_empty() {
@@ -106,8 +111,10 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
         );
     }
 
-    let triangles = if options.triangles { Some(crust.surface().triangulated()?) } else { None };
-    let surface = triangles.as_ref().unwrap_or(crust.surface());
+    let open = options.variants.opened(&crust, &mut report, session)?;
+    let whole = open.as_ref().unwrap_or(crust.surface());
+    let triangles = if options.triangles { Some(whole.triangulated()?) } else { None };
+    let surface = triangles.as_ref().unwrap_or(whole);
     report.counts = Counts {
         cells: Some(crust.regular().cells().len() as u64),
         hidden: Some(crust.regular().hidden().len() as u64),

@@ -13,6 +13,7 @@ mod report;
 mod sample;
 mod session;
 mod triangulate;
+mod variants;
 
 use clap::Parser;
 use report::Report;
