@@ -133,6 +133,35 @@ fn poles_are_rounded_where_that_is_asked_for() {
 }
 
 #[test]
+fn variants_of_a_power_crust_are_told_and_written() {
+    let place = Place::new();
+    place.shape(Shape::Torus, "in.ply");
+    let whole = place.json("crust in.ply -o whole.ply");
+    assert_eq!(whole["parameters"]["lambda"], 0.0);
+    let shards = place.json("crust in.ply -o shards.ply --keep-shards --validate");
+    assert!(shards["counts"]["vertices"].as_u64() > whole["counts"]["vertices"].as_u64());
+    let noise = place.json("crust in.ply -o noise.ply --noise --lambda 0.3 --validate");
+    assert_eq!(noise["parameters"]["lambda"], 0.3);
+    assert!(noise["counts"]["poles"].as_u64() < whole["counts"]["poles"].as_u64());
+    let poles = place.json("poles in.ply --sharp-corners --far-box --validate");
+    assert!(poles["parameters"]["lambda"].as_f64().unwrap() >= 0.4);
+    let simple = place.json("crust in.ply -o simple.ply --simplify --delta 0.02 --validate");
+    assert_eq!(simple["parameters"]["delta"], 0.02);
+    assert!((simple["parameters"]["epsilon"].as_f64().unwrap() - 0.0403).abs() < 1e-3);
+    assert!(simple["simplified"]["redundant"].as_u64().unwrap() > 100);
+    let offset = place.json("crust in.ply -o offset.ply --offset -0.05 --validate");
+    let area = |name: &str| {
+        let info = place.json(&format!("info {name}"));
+        assert_eq!(info["topology"]["closed"], true, "{name}");
+        info["measure"]["area"].as_f64().unwrap()
+    };
+    assert_eq!(offset["parameters"]["offset"], -0.05);
+    assert!(area("offset.ply") < area("whole.ply") * 0.95);
+    let open = place.json("crust in.ply -o open.ply --holes --hole-degrees 90 --hole-radius 0.01");
+    assert!(open["hole_faces_left_out"].is_u64() && open["parameters"]["hole_radius"] == 0.01);
+}
+
+#[test]
 fn files_hold_what_the_library_makes() {
     let place = Place::new();
     place.shape(Shape::Ellipsoid, "in.ply");
