@@ -9,7 +9,7 @@ COUNTED := --features count-stages --test predicates
 HOST = $(shell rustc -vV | sed -n 's/^host: //p')
 CONFIGURE := cmake -S . -B $(BUILD)/medax
 
-.PHONY: help demo test test-rust test-package bench bench-peers stress tsan header doc install clean
+.PHONY: help demo test test-rust test-package bench bench-peers results stress tsan header doc install clean
 .DEFAULT_GOAL := help
 
 help:
@@ -17,6 +17,7 @@ help:
 	@echo 'make test              every check and test; installs what they need on Debian'
 	@echo 'make bench             how long each stage takes'
 	@echo 'make bench-peers       triangulations against those of CGAL, in turns'
+	@echo 'make results           power crusts of real models against what is known of them: docs/results.md'
 	@echo 'make stress            triangulations of a million points checked, and fifty builds compared'
 	@echo 'make tsan              the threads of triangulations under ThreadSanitizer'
 	@echo 'make install PREFIX=   the library, its headers and packages, the program'
@@ -69,6 +70,13 @@ bench-peers:
 	cmake -S benches/peers -B $(BUILD)/peers -G Ninja -DCMAKE_PREFIX_PATH=$(BUILD)/peers-prefix
 	cmake --build $(BUILD)/peers
 	$(BUILD)/peers/peers $(PEERS)
+
+# From the models in MODELS, a folder.
+MODELS ?= ../shared/data
+results:
+	cargo build --release --locked
+	python3 benches/results.py target/release/medax $(MODELS) > results.md.part
+	mv results.md.part docs/results.md
 
 # Minutes, and some gigabytes.
 stress:

@@ -50,7 +50,7 @@ pub(super) fn samples_of_cells(
 /// The vertex that stands for each vertex of a closed surface once the shards of each sample are merged: the least of
 /// those that hang together.
 ///
-/// Merging shards that make up a disk changes no topology. Where they make up something else, or the faces left could not be told
+/// Merging shards that make up a disk changes no topology. Where they make up something else, or the faces left, or their triangles, could not be told
 /// from each other by their vertices, the shards stay apart, each for itself.
 pub(super) fn merged(samples: &[u32], faces: &Rows, run: &Run<'_>) -> Result<Vec<u32>> {
     let mut room = Room::new(run);
@@ -121,13 +121,19 @@ fn wrong(roots: &[u32], faces: &Rows, room: &mut Room<'_>, run: &Run<'_>) -> Res
                     is_wrong[a as usize] |= std::mem::replace(&mut last_face[a as usize], id) == id;
                     room.push(&mut left, u64::from(a) << 32 | u64::from(b))?;
                 }
+                // The sides of its triangles count as well, which are a fan from its first vertex.
+                for &b in &ring[2..ring.len() - 1] {
+                    for [a, b] in [[ring[0], b], [b, ring[0]]] {
+                        room.push(&mut left, u64::from(a) << 32 | u64::from(b))?;
+                    }
+                }
             }
         }
     }
     sort_by_key(&mut left, |&side| side, run)?;
     for pair in run.watch(left.windows(2)) {
         let pair = pair?;
-        // Two faces have the same side.
+        // Two faces, or two of their triangles, have the same side.
         if pair[0] == pair[1] {
             is_wrong[(pair[0] >> 32) as usize] = true;
             is_wrong[pair[0] as u32 as usize] = true;
@@ -203,5 +209,8 @@ mod tests {
         let faces: [&[u32]; 6] =
             [&[0, 1, 3], &[1, 2, 3], &[2, 0, 3], &[1, 0, 4], &[2, 1, 4], &[0, 2, 4]];
         assert_eq!(roots(&faces, 5, &[1, 2]), [0, 1, 2, 3, 4]);
+        // Two triangles would, from 0 to 2: the first two faces lie on either side of vertex 1 then.
+        let faces: [&[u32]; 4] = [&[0, 1, 2, 3], &[0, 4, 5, 1], &[2, 1, 5], &[3, 2, 5, 4, 0]];
+        assert_eq!(roots(&faces, 6, &[2, 5]), [0, 1, 2, 3, 4, 5]);
     }
 }

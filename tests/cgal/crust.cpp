@@ -66,13 +66,17 @@ void compare(const std::string& name, const std::vector<Point>& rows, bool round
         return report.line(wrong.empty(), name, wrong.empty() ? text + " in a plane" : text + ": " + wrong);
     }
     if (wrong.empty()) wrong = wrong_crust(medax, round_poles);
-    const Solid solid = load_into_openmesh(medax.surface_vertices, medax.surface_triangles);
-    text += ", Euler characteristic " + std::to_string(solid.euler_characteristic);
+    const Solid whole = load_into_openmesh(medax.with_shards.vertices, medax.with_shards.triangles);
+    const Solid merged = load_into_openmesh(medax.merged.vertices, medax.merged.triangles);
+    text += ", Euler characteristic " + std::to_string(whole.euler_characteristic);
     if (medax.forced != 0) text += ", " + std::to_string(medax.forced) + " forced";
-    if (!solid.closed_manifold())
-        wrong += "; not closed in OpenMesh: " + std::to_string(solid.boundary_edges) + " boundary edges, " +
-                 std::to_string(solid.complex_faces) + " complex faces, " + std::to_string(solid.complex_vertices) +
-                 " complex and " + std::to_string(solid.isolated_vertices) + " isolated vertices";
+    for (const Solid& solid : {whole, merged})
+        if (!solid.closed_manifold())
+            wrong += "; not closed in OpenMesh: " + std::to_string(solid.boundary_edges) + " boundary edges, " +
+                     std::to_string(solid.complex_faces) + " complex faces, " + std::to_string(solid.complex_vertices) +
+                     " complex and " + std::to_string(solid.isolated_vertices) + " isolated vertices";
+    if (merged.euler_characteristic != whole.euler_characteristic)
+        wrong += "; merging shards makes the Euler characteristic " + std::to_string(merged.euler_characteristic);
     report.line(wrong.empty(), name, wrong.empty() ? text : text + ": " + wrong);
 }
 

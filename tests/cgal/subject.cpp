@@ -48,8 +48,7 @@ void finish(Crust& crust, const medax::PowerCrust& built) {
     const auto outer = surface.attribute(MEDAX_ELEMENT_FACE, "outer_pole").u32_values;
     for (std::size_t face = 0; face < surface.faces().rows(); ++face)
         crust.facets.push_back({inner[face][0], outer[face][0]});
-    crust.surface_vertices = rows<3>(surface.vertices());
-    crust.surface_triangles = rows<3>(surface.triangles());
+    crust.with_shards = {rows<3>(surface.vertices()), rows<3>(surface.triangles())};
 }
 
 }  // namespace
@@ -91,6 +90,9 @@ Crust power_crust(const std::vector<Point>& samples, bool round_poles) {
     medax::PowerCrustOptions options;
     options.round_poles = round_poles;
     try {
+        const medax::Complex merged = medax::PowerCrust::of(poles, options).surface();
+        crust.merged = {rows<3>(merged.vertices()), rows<3>(merged.triangles())};
+        options.keep_shards = 1;
         finish(crust, medax::PowerCrust::of(poles, options));
     } catch (const medax::Error& error) {
         if (error.status() != MEDAX_STATUS_DEGENERATE && error.status() != MEDAX_STATUS_TOO_FEW_POINTS) throw;

@@ -56,8 +56,12 @@ struct Crust {
     std::vector<bool> inner;  // one a pole
     std::size_t forced = 0;
     std::vector<std::array<std::uint32_t, 2>> facets;  // (inner pole, outer pole), one a face
-    std::vector<Point> surface_vertices;
-    std::vector<std::array<std::uint32_t, 3>> surface_triangles;
+    // The surface with the shards of samples, of which the facets are, and with these merged.
+    struct Surface {
+        std::vector<Point> vertices;
+        std::vector<std::array<std::uint32_t, 3>> triangles;
+    };
+    Surface with_shards, merged;
 };
 
 Crust power_crust(const std::vector<Point>& samples, bool round_poles);

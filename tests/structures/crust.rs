@@ -110,6 +110,10 @@ fn every_kind_of_set_gives_a_closed_surface() {
             // Between two lines there is no solid: no pole is inner.
             assert_eq!(topology.closed, name != "two lines", "{name}: {topology:?}");
             assert_eq!(topology.nonmanifold_edges, 0, "{name}");
+            let triangles = crust.surface().triangulated().unwrap();
+            let cut = triangles.topology(&Job::default()).unwrap();
+            assert_eq!(cut.nonmanifold_edges, 0, "{name}, cut into triangles");
+            assert_eq!(cut.closed, topology.closed, "{name}, cut into triangles");
             assert_eq!(topology.nonmanifold_vertices, 0, "{name}");
         }
     }
