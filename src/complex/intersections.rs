@@ -20,9 +20,10 @@ impl Complex {
     /// holds for it. The triangles of one face are compared as well: those of a face that is not convex, or not
     /// flat, may intersect.
     ///
-    /// The answer is exact. Errors: [`Status::CoordinateRange`](crate::Status::CoordinateRange) with the vertex where a corner's coordinate is beyond the range
-    /// of the predicates, [`Status::OutOfMemory`](crate::Status::OutOfMemory) where the pairs are too many, those of the job. Cost:
-    /// O(n log n + b) with b pairs of triangles whose boxes meet.
+    /// The answer is exact. Errors: [`Status::CoordinateRange`](crate::Status::CoordinateRange) with the vertex
+    /// where a corner's coordinate is beyond the range of the predicates,
+    /// [`Status::OutOfMemory`](crate::Status::OutOfMemory) where the pairs are too many, those of the job.
+    /// Cost: O(n log n + b) with b pairs of triangles whose boxes meet.
     pub fn self_intersections(&self, job: &Job) -> Result<Vec<[u32; 2]>> {
         job.run(&[(Stage::Query, 1.0)], |run| self.self_intersections_in(run))
     }
