@@ -2527,7 +2527,7 @@ MEDAX_API void medax_complex_free(const medax_complex *complex);
 /* ---- 15. Topology -----------------------------------------------------------------------------
  *
  * What a complex is as a set of elements that share others, told from its indices alone: vertices
- * that merely lie at the same place are different vertices.
+ * that merely lie at the same place are different vertices. And what its coordinates make of that: measures, triangles that intersect.
  */
 
 /**
@@ -2647,6 +2647,30 @@ medax_status medax_complex_measure(const medax_complex *complex,
                                    const medax_job *job,
                                    double *out_area,
                                    double *out_volume);
+
+/**
+ * The pairs of triangles of a complex that intersect, decided exactly.
+ *
+ * Two triangles of #medax_complex_triangles intersect if they have a point in common that is on no vertex and no edge that
+ * they share, that is, that has the same vertex numbers. A triangle without area is a segment or a point.
+ *
+ * \param complex The complex.
+ * \param job NULL for a default job.
+ * \param capacity The number of pairs for which `out_pairs` has room.
+ * \param out_pairs Receives the first `capacity` pairs, of two triangles each, the less one first, ascending; NULL only if
+ *        `capacity` is 0.
+ * \param out_count Receives the number of pairs, which may be more than `capacity`.
+ * \return `MEDAX_STATUS_OK`; `COORDINATE_RANGE` with a triangle's vertex that has a coordinate outside
+ *         2^-160 to 2^200; `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(n log n + b) with b pairs of triangles whose boxes meet. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_complex_self_intersections(const medax_complex *complex,
+                                              const medax_job *job,
+                                              size_t capacity,
+                                              uint32_t *out_pairs,
+                                              size_t *out_count);
 
 /**
  * The same complex with its faces turned so that neighbours agree and solids are inside; shells

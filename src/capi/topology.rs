@@ -1,7 +1,7 @@
 //! Topology
 //!
 //! What a complex is as a set of elements that share others, told from its indices alone: vertices
-//! that merely lie at the same place are different vertices.
+//! that merely lie at the same place are different vertices. And what its coordinates make of that: measures, triangles that intersect.
 
 use super::boundary;
 use super::complex;
@@ -9,7 +9,7 @@ use super::handle::{self, medax_complex, medax_job};
 use super::options::{Report, SizedStruct, sized_struct};
 use super::status::medax_status;
 use super::validation::{self, medax_validation};
-use super::view::Out;
+use super::view::{Buffer, Out};
 use crate::complex::Topology;
 use std::sync::Arc;
 
@@ -152,6 +152,41 @@ pub unsafe extern "C" fn medax_complex_measure(
         let found = complex.measure(handle::job(job, &mut own))?;
         Out::maybe(out_area, found.area);
         Out::maybe(out_volume, found.volume);
+        Ok(())
+    })
+}
+
+/// The pairs of triangles of a complex that intersect, decided exactly.
+///
+/// Two triangles of #medax_complex_triangles intersect if they have a point in common that is on no vertex and no edge that
+/// they share, that is, that has the same vertex numbers. A triangle without area is a segment or a point.
+///
+/// \param complex The complex.
+/// \param job NULL for a default job.
+/// \param capacity The number of pairs for which `out_pairs` has room.
+/// \param out_pairs Receives the first `capacity` pairs, of two triangles each, the less one first, ascending; NULL only if
+///        `capacity` is 0.
+/// \param out_count Receives the number of pairs, which may be more than `capacity`.
+/// \return `MEDAX_STATUS_OK`; `COORDINATE_RANGE` with a triangle's vertex that has a coordinate outside
+///         2^-160 to 2^200; `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+///
+/// O(n log n + b) with b pairs of triangles whose boxes meet. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_complex_self_intersections(
+    complex: *const medax_complex,
+    job: *const medax_job,
+    capacity: usize,
+    out_pairs: *mut u32,
+    out_count: *mut usize,
+) -> medax_status {
+    boundary::status(|| {
+        let complex = &handle::get(complex, "complex")?.complex;
+        let count = Out::new(out_count, "out_count")?;
+        let target = Buffer::new(out_pairs.cast::<[u32; 2]>(), capacity, "out_pairs")?;
+        let mut own = None;
+        let pairs = complex.self_intersections(handle::job(job, &mut own))?;
+        count.put(pairs.len());
+        target.fill(&pairs);
         Ok(())
     })
 }

@@ -1,10 +1,11 @@
-//! Simplices in a hierarchy of boxes, for the nearest of them and for those in a box.
+//! Simplices in a hierarchy of boxes, for the nearest of them, for those in a box, and for those whose boxes meet.
 
 use super::Point;
 use super::closest::distance_2;
 use crate::error::Result;
 use crate::job::{Room, Run};
 use crate::points::Bounds;
+use std::ops::Range;
 
 /// The most simplices in a leaf.
 const LEAF: usize = 4;
@@ -166,6 +167,58 @@ impl<const N: usize> Hierarchy<N> {
             number = siblings[depth];
         }
     }
+
+    /// The number of nodes, to be divided among calls of [`Hierarchy::pairs`].
+    pub(crate) fn node_count(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Visits every two simplices whose boxes meet, once, where the first is in a leaf among these nodes.
+    pub(crate) fn pairs(
+        &self,
+        nodes: Range<usize>,
+        run: &Run<'_>,
+        mut visit: impl FnMut(&Simplex<N>, &Simplex<N>) -> Result<()>,
+    ) -> Result<()> {
+        let mut waiting = [0; DEPTH];
+        for number in nodes {
+            let leaf = &self.nodes[number];
+            if leaf.second != 0 {
+                continue;
+            }
+            run.poll()?;
+            let mut count = 1;
+            waiting[0] = 0;
+            while count > 0 {
+                count -= 1;
+                let number = waiting[count];
+                let node = &self.nodes[number as usize];
+                // What is in earlier leaves has met this one before.
+                if node.end <= leaf.begin || !meets(&node.bounds, &leaf.bounds) {
+                    continue;
+                }
+                if node.second != 0 {
+                    waiting[count] = node.second;
+                    waiting[count + 1] = number + 1;
+                    count += 2;
+                    continue;
+                }
+                // A large leaf may meet all others.
+                run.poll()?;
+                for i in leaf.begin..leaf.end {
+                    let first = &self.simplices[i as usize];
+                    let bounds = first.bounds();
+                    for j in node.begin.max(i + 1)..node.end {
+                        let second = &self.simplices[j as usize];
+                        if meets(&bounds, &second.bounds()) {
+                            visit(first, second)?;
+                        }
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
 }
 
 fn merged(a: &Bounds, b: &Bounds) -> Bounds {
@@ -225,6 +278,28 @@ mod tests {
             found.sort_unstable();
             let expected: Vec<u32> =
                 segments.iter().filter(|s| meets(&s.bounds(), &bounds)).map(|s| s.tag).collect();
+            prop_assert_eq!(found, expected);
+        }
+
+        #[test]
+        fn those_whose_boxes_meet_are_paired_once(segments in segments(), cut in 0..40usize) {
+            let hierarchy = hierarchy(&segments);
+            let count = hierarchy.node_count();
+            let mut found = Vec::new();
+            for nodes in [0..cut.min(count), cut.min(count)..count] {
+                let pair = |s: &Simplex<2>, t: &Simplex<2>| {
+                    found.push([s.tag.min(t.tag), s.tag.max(t.tag)]);
+                    Ok(())
+                };
+                Job::default().run(&[], |run| hierarchy.pairs(nodes, run, pair)).unwrap();
+            }
+            found.sort_unstable();
+            let mut expected = Vec::new();
+            for s in &segments {
+                let later = segments[s.tag as usize + 1..].iter();
+                let met = later.filter(|t| meets(&s.bounds(), &t.bounds()));
+                expected.extend(met.map(|t| [s.tag, t.tag]));
+            }
             prop_assert_eq!(found, expected);
         }
     }

@@ -6,6 +6,7 @@ mod compare;
 mod disjoint;
 mod hierarchy;
 mod homology;
+mod intersections;
 mod measure;
 mod orient;
 mod rows;

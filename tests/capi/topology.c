@@ -1,4 +1,4 @@
-/* Topology, measure, orientation and checks of complexes. */
+/* Topology, measure, self-intersections, orientation and checks of complexes. */
 #include "check.h"
 
 static const char nothing = 0;
@@ -76,6 +76,46 @@ static void without_genus(void) {
     medax_complex_free(complex);
 }
 
+/* Two triangles that cross, and one beside them. */
+static void intersections(void) {
+    static const double xyz[27] = {0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, -1, 1, 1, 1,
+                                   2, 1, 1, 9, 9, 9, 9, 8, 9, 8, 9, 9};
+    static const uint32_t offsets[4] = {0, 3, 6, 9};
+    static const uint32_t rings[9] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
+    medax_complex_parts parts;
+    const medax_complex *whole = cube(0), *complex = NULL;
+    const medax_job *spent = NULL;
+    uint32_t pairs[4] = {7, 7, 7, 7};
+    size_t count = 9;
+    CHECK_STATUS(OK, medax_complex_self_intersections(whole, NULL, 0, NULL, &count));
+    CHECK(count == 0);
+    medax_complex_parts_init(&parts, sizeof parts);
+    parts.vertices = xyz;
+    parts.vertex_count = 9;
+    parts.face_offsets = offsets;
+    parts.face_indices = rings;
+    parts.face_count = 3;
+    CHECK_STATUS(OK, medax_complex_create(&parts, &complex));
+    CHECK_STATUS(OK, medax_complex_self_intersections(complex, NULL, 0, NULL, &count));
+    CHECK(count == 1);
+    count = 9;
+    CHECK_STATUS(OK, medax_complex_self_intersections(complex, NULL, 2, pairs, &count));
+    CHECK(count == 1 && pairs[0] == 0 && pairs[1] == 1 && pairs[2] == 7 && pairs[3] == 7);
+    count = 9;
+    CHECK_STATUS(NULL_ARGUMENT, medax_complex_self_intersections(NULL, NULL, 2, pairs, &count));
+    CHECK_STATUS(NULL_ARGUMENT, medax_complex_self_intersections(complex, NULL, 2, NULL, &count));
+    CHECK_STATUS(NULL_ARGUMENT, medax_complex_self_intersections(complex, NULL, 2, pairs, NULL));
+    CHECK_STATUS(INVALID_ARGUMENT,
+                 medax_complex_self_intersections(complex, NULL, SIZE_MAX, pairs, &count));
+    NEED(medax_job_create(NULL, &spent) == MEDAX_STATUS_OK);
+    medax_job_cancel(spent);
+    CHECK_STATUS(CANCELLED, medax_complex_self_intersections(complex, spent, 2, pairs, &count));
+    CHECK(count == 9);
+    medax_job_free(spent);
+    medax_complex_free(complex);
+    medax_complex_free(whole);
+}
+
 static void refusals(void) {
     const medax_complex *complex = cube(0);
     const medax_complex *oriented = (const medax_complex *)(const void *)&nothing;
@@ -131,6 +171,7 @@ static void a_larger_report(void) {
 int main(void) {
     a_cube();
     without_genus();
+    intersections();
     refusals();
     a_larger_report();
     return check_end();

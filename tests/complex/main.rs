@@ -1,6 +1,7 @@
-//! Complexes: validity, topology, orientation, comparison.
+//! Complexes: validity, topology, intersections, orientation, comparison.
 
 mod compare;
+mod intersections;
 mod models;
 mod orient;
 mod shapes;

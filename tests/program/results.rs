@@ -99,6 +99,7 @@ fn a_torus_goes_from_samples_to_a_solid() {
     for key in ["components", "genus", "closed", "betti"] {
         assert_eq!(info["topology"][key], topology[key], "{key}");
     }
+    assert_eq!(info["self_intersecting_pairs"], 0);
     // A polyhedron inscribed in a torus of area 15.79 and volume 3.158.
     assert!((info["measure"]["area"].as_f64().unwrap() - 15.79).abs() < 0.2);
     assert!((info["measure"]["volume"].as_f64().unwrap() - 3.158).abs() < 0.1);

@@ -6,9 +6,11 @@
 
 #include <medax/points.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace medax {
 
@@ -85,6 +87,15 @@ public:
         Measure measure;
         job.check(medax_complex_measure(get(), job.get(), &measure.area, &measure.volume));
         return measure;
+    }
+    /// The pairs of triangles that intersect, less one first, ascending.
+    std::vector<std::array<std::uint32_t, 2>> self_intersections(const Job &job = Job::fresh()) const {
+        std::size_t count = 0;
+        job.check(medax_complex_self_intersections(get(), job.get(), 0, nullptr, &count));
+        std::vector<std::array<std::uint32_t, 2>> pairs(count);
+        if (count != 0)
+            job.check(medax_complex_self_intersections(get(), job.get(), count, pairs[0].data(), &count));
+        return pairs;
     }
     Complex oriented(const Job &job = Job::fresh()) const {
         const medax_complex *oriented = nullptr;

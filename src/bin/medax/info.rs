@@ -7,7 +7,7 @@ use medax::io::Soup;
 use serde_json::{Map, Value, json};
 use std::path::PathBuf;
 
-/// Say what a file of points or a mesh holds: counts, extent, topology
+/// Say what a file of points or a mesh holds: counts, extent, topology, self-intersections
 #[derive(clap::Args)]
 pub struct Options {
     /// The file
@@ -34,21 +34,33 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
         let vertices = Some(soup.vertices().len() as u64);
         report.counts = Counts { vertices, ..Counts::default() };
         report.more.insert("topology".into(), Value::Null);
+        report.more.insert("self_intersecting_pairs".into(), Value::Null);
         report.more.insert("measure".into(), Value::Null);
         return Ok(report);
     }
     let mesh = session.complex(&options.input, soup)?;
     let topology = mesh.topology(&session.job)?;
     let measure = mesh.measure(&session.job)?;
+    let intersections = mesh.self_intersections(&session.job)?.len();
     report.counts = Counts::from(&mesh);
     report.lines.push(("topology", topology_line(&topology)));
+    report.lines.push(("self-intersections", triangle_pairs(intersections)));
     // Without a closed surface there is nothing inside.
     let volume = (topology.closed && topology.oriented).then_some(measure.volume);
     let volume_words = volume.map_or(String::new(), |volume| format!(", volume {volume}"));
     report.lines.push(("measure", format!("area {}{volume_words}", measure.area)));
     report.more.insert("topology".into(), topology_json(&topology));
+    report.more.insert("self_intersecting_pairs".into(), json!(intersections));
     report.more.insert("measure".into(), json!({ "area": measure.area, "volume": volume }));
     Ok(report)
+}
+
+fn triangle_pairs(count: usize) -> String {
+    match count {
+        0 => "none".into(),
+        1 => "1 pair of triangles".into(),
+        _ => format!("{count} pairs of triangles"),
+    }
 }
 
 fn attributes_json(soup: &Soup) -> Value {
