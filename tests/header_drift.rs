@@ -23,6 +23,7 @@ const CHAPTERS: [&str; 18] = [
     "complex",
     "topology",
     "compare",
+    "decimate",
     "file",
     "io",
     "sample",

@@ -1,6 +1,7 @@
-//! Complexes: validity, topology, orientation, comparison.
+//! Complexes: validity, topology, orientation, comparison, decimation.
 
 mod compare;
+mod decimate;
 mod models;
 mod orient;
 mod shapes;
