@@ -62,18 +62,24 @@ impl Deviation {
     }
 
     /// Whether the triangles `after` may come in place of the triangles `old`: each point stays near one of them,
-    /// and their corners, centres and middles of sides are near the surface as it was. If so, points move.
+    /// and their common corner `to`, their centres and the middles of the sides that end there are near the surface as
+    /// it was. If so, points move.
     pub(super) fn allows(
         &mut self,
         old: impl Iterator<Item = u32> + Clone,
         after: &[(u32, [Vec3; 3])],
+        to: Vec3,
         run: &Run<'_>,
     ) -> Result<bool> {
-        let near = |p: Vec3| self.before.distance_2(p, f64::INFINITY) <= self.limit_2;
-        for (_, [a, b, c]) in after {
-            let middle = |p: Vec3, q: Vec3| scale(add(p, q), 0.5);
-            let tried = [*a, *b, *c, middle(*a, *b), middle(*b, *c), middle(*c, *a)];
-            if !near(centre([*a, *b, *c])) || !tried.into_iter().all(near) {
+        // Nothing beyond the limit need be looked at; what has not moved was looked at before.
+        let beyond = 1.01 * self.limit_2;
+        let near = |p: Vec3| self.before.distance_2(p, beyond) <= self.limit_2;
+        if !near(to) {
+            return Ok(false);
+        }
+        for (_, corners) in after {
+            let sides = corners.iter().filter(|&&q| q != to).map(|&q| scale(add(q, to), 0.5));
+            if !near(centre(*corners)) || !sides.into_iter().all(near) {
                 return Ok(false);
             }
         }

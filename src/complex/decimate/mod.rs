@@ -230,7 +230,7 @@ impl Work<'_> {
                 let triangles = &self.mesh.triangles;
                 let others = star.second.iter().filter(|&&t| !triangles[t as usize].contains(&u));
                 let old = star.first.iter().chain(others).copied();
-                if !deviation.allows(old, &after, run)? {
+                if !deviation.allows(old, &after, p, run)? {
                     continue;
                 }
             }
