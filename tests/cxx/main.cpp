@@ -264,7 +264,7 @@ void shapes() {
     CHECK(surface.oriented().measure().volume == surface.measure().volume);
     CHECK(surface.compare(samples.complex()).b_to_a_max < 0.1);
     medax::DecimateOptions fewer;
-    fewer->triangles = surface.triangles().rows() / 4;
+    fewer.triangles = surface.triangles().rows() / 4;
     const medax::Complex decimated = surface.decimate(fewer);
     CHECK(decimated.triangles().rows() <= surface.triangles().rows() / 4);
     CHECK(decimated.topology().genus == surface.topology().genus);
