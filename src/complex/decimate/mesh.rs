@@ -188,8 +188,9 @@ impl Mesh {
         let one = |star: &[u32], a: u32| star.iter().filter(|&&t| self.has(t, a)).count() == 1;
         if sides == 2 {
             let [a, b] = wings;
-            !(self.boundary[u as usize] && self.boundary[v as usize])
-                && !(both(first, a, b) && both(second, a, b))
+            let pinches = self.boundary[u as usize] && self.boundary[v as usize];
+            let doubles = both(first, a, b) && both(second, a, b);
+            !pinches && !doubles
         } else {
             !(one(first, wings[0]) && one(second, wings[0]))
         }
