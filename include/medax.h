@@ -2802,7 +2802,66 @@ medax_status medax_complex_compare(const medax_complex *a,
                                    const medax_job *job,
                                    medax_comparison *out_report);
 
-/* ---- 17. File contents ------------------------------------------------------------------------
+/* ---- 17. Decimation ---------------------------------------------------------------------------
+ *
+ * Fewer triangles for the same surface.
+ */
+
+/**
+ * The settings of a decimation.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * The number of triangles to come down to; 0, the default: as few as can be.
+     */
+    uint64_t triangles;
+    /**
+     * The greatest distance, in input units, that the surface may come away from what it was; infinity, the
+     * default: any. With it the aim may be missed.
+     */
+    double max_error;
+} medax_decimate_options;
+
+/**
+ * Sets decimate options to their defaults.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_decimate_options_init(medax_decimate_options *options,
+                                         size_t struct_size);
+
+/**
+ * The same surface with fewer triangles: edges are contracted, the one of the least quadric error first.
+ *
+ * Components, genus, boundary loops and orientation stay. Vertices on loose edges, on cells, on edges of
+ * more than two triangles, or of several fans stay as they are. Loose edges, cells and their attributes
+ * stay; attributes of vertices and faces are left out.
+ *
+ * \param complex The complex; its faces become triangles first.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_decimated Receives the new complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`, also where the aim was missed; `INVALID_ARGUMENT` for a `max_error` that is
+ *         negative or NaN; `NULL_ARGUMENT`, `LIMIT_EXCEEDED`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(n log n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_complex_decimate(const medax_complex *complex,
+                                    const medax_decimate_options *options,
+                                    const medax_job *job,
+                                    const medax_complex **out_decimated);
+
+/* ---- 18. File contents ------------------------------------------------------------------------
  *
  * What a file holds, before points or a complex are made of it. Reading trusts nothing, and an error
  * names the line of a text or the byte of a binary file. The ending of a path names the format:
@@ -2978,7 +3037,7 @@ MEDAX_API const medax_file *medax_file_clone(const medax_file *file);
  */
 MEDAX_API void medax_file_free(const medax_file *file);
 
-/* ---- 18. Reading and writing ------------------------------------------------------------------
+/* ---- 19. Reading and writing ------------------------------------------------------------------
  *
  * Written are PLY, OFF, OBJ, STL, XYZ, PTS, TXT, CSV, MA and VTU, by the ending of the path, to a
  * file beside the given name, which is moved into place when it is complete: after an error, a file
@@ -3129,7 +3188,7 @@ MEDAX_API const medax_warnings *medax_warnings_clone(const medax_warnings *warni
  */
 MEDAX_API void medax_warnings_free(const medax_warnings *warnings);
 
-/* ---- 19. Samples ------------------------------------------------------------------------------
+/* ---- 20. Samples ------------------------------------------------------------------------------
  *
  * Points of the surfaces of built-in shapes and of meshes, evenly spread: no two are nearer than
  * the spacing. The same options give the same points on every machine.

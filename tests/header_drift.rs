@@ -7,7 +7,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// The chapters of the header in order: the files of `src/capi`.
-const CHAPTERS: [&str; 19] = [
+const CHAPTERS: [&str; 20] = [
     "status",
     "handle",
     "view",
@@ -24,6 +24,7 @@ const CHAPTERS: [&str; 19] = [
     "complex",
     "topology",
     "compare",
+    "decimate",
     "file",
     "io",
     "sample",

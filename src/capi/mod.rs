@@ -19,6 +19,7 @@ mod attribute;
 mod compare;
 mod complex;
 mod crust;
+mod decimate;
 mod dual;
 mod file;
 mod incidence;

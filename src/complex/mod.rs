@@ -3,6 +3,7 @@
 mod attribute;
 mod closest;
 mod compare;
+mod decimate;
 mod disjoint;
 mod hierarchy;
 mod homology;
@@ -18,6 +19,7 @@ mod validate;
 
 pub use attribute::{Attribute, Element, Values};
 pub use compare::{CompareOptions, Comparison, Distances, compare};
+pub use decimate::DecimateOptions;
 pub(crate) use disjoint::DisjointSets;
 pub(crate) use hierarchy::{Hierarchy, Simplex};
 pub use measure::Measure;

@@ -53,10 +53,12 @@ pub enum Stage {
     Sample = 12,
     /// Writing a file.
     Write = 13,
+    /// Contracting edges of a surface.
+    Decimate = 14,
 }
 
 /// Every stage, by number.
-const STAGES: [Stage; 14] = [
+const STAGES: [Stage; 15] = [
     Stage::Idle,
     Stage::Read,
     Stage::Order,
@@ -71,6 +73,7 @@ const STAGES: [Stage; 14] = [
     Stage::Query,
     Stage::Sample,
     Stage::Write,
+    Stage::Decimate,
 ];
 
 impl Stage {
@@ -97,6 +100,7 @@ impl Stage {
             Stage::Query => c"query",
             Stage::Sample => c"sample",
             Stage::Write => c"write",
+            Stage::Decimate => c"decimate",
         }
     }
 }

@@ -135,6 +135,11 @@ FIELD(medax_topology, closed, 132);
 FIELD(medax_topology, oriented, 136);
 FIELD(medax_topology, reserved, 140);
 
+SIZE(medax_decimate_options, 24);
+FIELD(medax_decimate_options, struct_size, 0);
+FIELD(medax_decimate_options, triangles, 8);
+FIELD(medax_decimate_options, max_error, 16);
+
 SIZE(medax_compare_options, 24);
 FIELD(medax_compare_options, struct_size, 0);
 FIELD(medax_compare_options, samples, 8);

@@ -1,6 +1,7 @@
-//! Complexes: validity, topology, intersections, orientation, comparison.
+//! Complexes: validity, topology, intersections, orientation, comparison, decimation.
 
 mod compare;
+mod decimate;
 mod intersections;
 mod models;
 mod orient;

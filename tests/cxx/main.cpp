@@ -272,6 +272,11 @@ void shapes() {
     CHECK(std::abs(surface.measure().volume - 3.158) < 0.3 && surface.validate().is_valid());
     CHECK(surface.oriented().measure().volume == surface.measure().volume);
     CHECK(surface.compare(samples.complex()).b_to_a_max < 0.1);
+    medax::DecimateOptions fewer;
+    fewer.triangles = surface.triangles().rows() / 4;
+    const medax::Complex decimated = surface.decimate(fewer);
+    CHECK(decimated.triangles().rows() <= surface.triangles().rows() / 4);
+    CHECK(decimated.topology().genus == surface.topology().genus);
     CHECK(medax::Samples::of(surface, options).coords().rows() > 300);
     CHECK(THROWN(medax::Samples::of(samples.complex())).status() == MEDAX_STATUS_DEGENERATE);
 

@@ -22,6 +22,7 @@ fn every_command_answers_with_the_schema() {
         ("info torus.ply", "info"),
         ("info crust.ply", "info"),
         ("compare torus.ply crust.ply --samples 100", "compare"),
+        ("decimate crust.ply --ratio 0.25 -o small.ply", "decimate"),
         ("sample capsule -o capsule.xyz", "sample"),
         ("sample crust.ply", "sample"),
     ];
@@ -66,7 +67,7 @@ fn every_command_answers_with_the_schema() {
         }
     }
     let written = ["axis.vtu", "balls.ma", "capsule.xyz", "cells.vtu", "crust.off", "crust.ply"];
-    let more = ["normals.ply", "poles.ply", "torus.ply"];
+    let more = ["normals.ply", "poles.ply", "small.ply", "torus.ply"];
     assert_eq!(place.names(), [&written[..], &more].concat());
 }
 
@@ -205,6 +206,27 @@ fn files_hold_what_the_library_makes() {
     assert_eq!(cells, delaunay.cells().len());
     let count = place.json("poles in.ply --far-box --validate")["counts"]["poles"].clone();
     assert_eq!(count, Poles::with_far_box(&points, Default::default(), &job).unwrap().len());
+}
+
+#[test]
+fn a_surface_comes_down_to_a_quarter() {
+    let place = Place::new();
+    place.shape(Shape::Torus, "torus.ply");
+    place.json("crust torus.ply -o crust.ply");
+    let report = place.json("decimate crust.ply -o small.ply --ratio 0.25");
+    let before = report["triangles"]["before"].as_u64().unwrap();
+    let after = report["triangles"]["after"].as_u64().unwrap();
+    assert!(4 * after <= before + 3 && 4 * after + 12 > before, "{before} to {after}");
+    assert_eq!(report["counts"]["faces"], after);
+    let topology = &report["outputs"][0]["topology"];
+    assert_eq!((&topology["genus"], &topology["closed"]), (&1.into(), &true.into()));
+    let strict = place.json("decimate crust.ply --triangles 10 --max-error 0.001");
+    assert!(strict["triangles"]["after"].as_u64().unwrap() > 100);
+    assert_eq!(strict["warnings"].as_array().unwrap().len(), 1);
+    place.failure("decimate crust.ply", 2);
+    place.failure("decimate crust.ply --ratio 1.5", 2);
+    place.failure("decimate crust.ply --ratio 0.5 --triangles 9", 2);
+    place.failure("decimate crust.ply --ratio 0.5 --max-error -1", 2);
 }
 
 #[test]

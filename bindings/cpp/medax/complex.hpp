@@ -35,6 +35,7 @@ struct Attribute {
 using Topology = medax_topology;
 using Comparison = medax_comparison;
 using CompareOptions = detail::Options<medax_compare_options, medax_compare_options_init>;
+using DecimateOptions = detail::Options<medax_decimate_options, medax_decimate_options_init>;
 
 /// Vertices, polygons, loose edges, volume cells and named attributes.
 class Complex : public detail::Handle<medax_complex, medax_complex_clone, medax_complex_free> {
@@ -101,6 +102,11 @@ public:
         const medax_complex *oriented = nullptr;
         job.check(medax_complex_orient(get(), job.get(), &oriented));
         return Complex(oriented);
+    }
+    Complex decimate(const DecimateOptions &options = {}, const Job &job = Job::fresh()) const {
+        const medax_complex *decimated = nullptr;
+        job.check(medax_complex_decimate(get(), &options, job.get(), &decimated));
+        return Complex(decimated);
     }
     Comparison compare(const Complex &other, const CompareOptions &options = {},
                        const Job &job = Job::fresh()) const {

@@ -5,6 +5,7 @@
 
 mod compare;
 mod crust;
+mod decimate;
 mod info;
 mod omit;
 mod poles;
@@ -37,6 +38,7 @@ enum Command {
     Crust(crust::Options),
     Info(info::Options),
     Compare(compare::Options),
+    Decimate(decimate::Options),
     Sample(sample::Options),
 }
 
@@ -48,6 +50,7 @@ impl Command {
             Command::Crust(options) => crust::run(options, session),
             Command::Info(options) => info::run(options, session),
             Command::Compare(options) => compare::run(options, session),
+            Command::Decimate(options) => decimate::run(options, session),
             Command::Sample(options) => sample::run(options, session),
         }
     }
