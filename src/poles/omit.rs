@@ -37,7 +37,7 @@ pub struct PolesOptions {
 const WIDTHS: f64 = 3.0;
 /// The least estimate, which keeps most poles of clean samples, and the largest, which leaves out most of noise: see
 /// `docs/algorithms/poles.md`.
-const ESTIMATES: [f64; 2] = [0.4, 0.5];
+const ESTIMATES: [f64; 2] = [0.4, 0.45];
 
 /// Leaves poles out as the options say. Returns lambda, 0 if it was not asked for.
 ///
