@@ -90,8 +90,8 @@ def main():
     version = subprocess.run([medax, "--version"], capture_output=True, text=True).stdout.strip()
     print("# Results\n")
     print(f"Power crusts of the vertices of models, with the defaults but for what is named. `make results` makes this page; {version}, {platform.machine()}.")
-    print("Form: components, genus. Distances: from the crust to the mesh and back, in percent of the diagonal. Seconds are of the processor, on one")
-    print("machine with other work; memory is the peak of the whole program.\n")
+    print("Form: components, genus. Distances: from the crust to the mesh and back, in percent of the diagonal. Seconds are of the")
+    print("processor; memory is the peak of the whole program.\n")
     row("model", "samples", "form", "known", "closed", "faces", "max", "mean", "max back", "mean back", "s", "MB", "why")
     row(*["---"] + ["--:"] * 3 + ["---"] + ["--:"] * 7 + ["---"])
     with tempfile.TemporaryDirectory() as temporary:
