@@ -6,10 +6,8 @@ use super::surface::Shards;
 use super::{Balls, Parts, PowerCrust};
 use crate::error::{Error, Result, Status};
 use crate::job::{Job, Room, Run, Stage};
+use crate::predicates::WEIGHT_MIN;
 use std::sync::Arc;
-
-/// The least weight other than 0 that predicates take.
-const WEIGHT_MIN: f64 = crate::predicates::WEIGHT_MIN;
 
 impl PowerCrust {
     /// An approximate offset surface: outside the solid for a positive distance, inside for a negative one (Amenta, Choi,
