@@ -1785,6 +1785,36 @@ typedef uint32_t medax_label;
 #endif // __cplusplus
 
 /**
+ * How poles are labelled.
+ */
+enum medax_label_rule
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * As `MEDAX_LABEL_RULE_SPREAD`; as `MEDAX_LABEL_RULE_LEAST_CONFLICT` if that leaves a conflict above 0.005.
+     */
+    MEDAX_LABEL_RULE_AUTO = 0,
+    /**
+     * Labels spread from the far box, the most certain first, and are never taken back (Figure 8 of the paper).
+     */
+    MEDAX_LABEL_RULE_SPREAD = 1,
+    /**
+     * Then labels are changed until they contradict each other as little as can be found: for noise, and for samples
+     * with large gaps.
+     */
+    MEDAX_LABEL_RULE_LEAST_CONFLICT = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum medax_label_rule medax_label_rule;
+#else
+typedef uint32_t medax_label_rule;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
  * The settings of a power crust.
  */
 typedef struct {
@@ -1819,9 +1849,9 @@ typedef struct {
      */
     uint32_t omit;
     /**
-     * Must be 0.
+     * A #medax_label_rule: how poles are labelled. `MEDAX_LABEL_RULE_AUTO` by default.
      */
-    uint32_t reserved;
+    uint32_t label_rule;
 } medax_power_crust_options;
 
 /**
@@ -1999,6 +2029,30 @@ MEDAX_API size_t medax_power_crust_unreached_count(const medax_power_crust *crus
  * Constant time. Since 0.1.
  */
 MEDAX_API size_t medax_power_crust_forced_count(const medax_power_crust *crust);
+
+/**
+ * How much the labels contradict each other: the sum of the squared weights of the links that do not have the labels that they
+ * ask for, divided by the number of poles. Links are samples with two poles, which ask for different labels, and
+ * balls that intersect deeply, which ask for the same.
+ *
+ * \param crust The power crust; NULL has none.
+ * \return The conflict: 1e-3 and less where a sample is dense; near 0.1 the solid is a guess.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+double medax_power_crust_conflict(const medax_power_crust *crust);
+
+/**
+ * Whether labels were changed to lessen their conflict: `MEDAX_LABEL_RULE_LEAST_CONFLICT` was asked for, or needed.
+ *
+ * \param crust The power crust; NULL has no labels.
+ * \return Whether they were.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+bool medax_power_crust_is_settled(const medax_power_crust *crust);
 
 /**
  * Checks a power crust, by its combinatorics alone: the labels, that the surface is closed and is

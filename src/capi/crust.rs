@@ -19,7 +19,7 @@ use super::status::medax_status;
 use super::validation::{self, medax_validation};
 use super::view::{Out, medax_view_u32, numbers};
 use crate::PowerCrust;
-use crate::crust::{Label, PowerCrustOptions};
+use crate::crust::{Label, LabelRule, PowerCrustOptions};
 use crate::error::{Error, Result, Status};
 use std::ptr;
 use std::sync::Arc;
@@ -47,6 +47,39 @@ impl From<Label> for medax_label {
 const _: () = assert!(Label::Outer as u32 == medax_label::Outer as u32);
 const _: () = assert!(Label::Inner as u32 == medax_label::Inner as u32);
 
+/// How poles are labelled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u32)]
+pub enum medax_label_rule {
+    /// As `MEDAX_LABEL_RULE_SPREAD`; as `MEDAX_LABEL_RULE_LEAST_CONFLICT` if that leaves a conflict above 0.005.
+    Auto = 0,
+    /// Labels spread from the far box, the most certain first, and are never taken back (Figure 8 of the paper).
+    Spread = 1,
+    /// Then labels are changed until they contradict each other as little as can be found: for noise, and for samples
+    /// with large gaps.
+    LeastConflict = 2,
+}
+
+impl From<LabelRule> for medax_label_rule {
+    fn from(rule: LabelRule) -> Self {
+        match rule {
+            LabelRule::Auto => medax_label_rule::Auto,
+            LabelRule::Spread => medax_label_rule::Spread,
+            LabelRule::LeastConflict => medax_label_rule::LeastConflict,
+        }
+    }
+}
+
+/// How poles are labelled, from a number of the caller.
+fn label_rule(rule: u32) -> Result<LabelRule> {
+    [LabelRule::Auto, LabelRule::Spread, LabelRule::LeastConflict]
+        .into_iter()
+        .find(|&known| medax_label_rule::from(known) as u32 == rule)
+        .ok_or_else(|| {
+            Error::new(Status::InvalidArgument, format!("{rule} is no medax_label_rule"))
+        })
+}
+
 /// The settings of a power crust.
 #[derive(Clone, Copy)]
 #[repr(C)]
@@ -69,21 +102,22 @@ pub struct medax_power_crust_options {
     /// A #medax_omit: which poles are left out, where they are chosen: not for #medax_power_crust_build_from_poles.
     /// `MEDAX_OMIT_NOTHING` by default.
     pub omit: u32,
-    /// Must be 0.
-    pub reserved: u32,
+    /// A #medax_label_rule: how poles are labelled. `MEDAX_LABEL_RULE_AUTO` by default.
+    pub label_rule: u32,
 }
 
 sized_struct!(medax_power_crust_options,
-    first_size: size_of::<medax_power_crust_options>(), reserved: reserved,
+    first_size: size_of::<medax_power_crust_options>(), reserved: none,
     { deep: f64 = 0.4, lambda: f64 = 0.0, round_poles: u32 = 0, keep_shards: u32 = 0, omit: u32 = 0,
-      reserved: u32 = 0 });
+      label_rule: u32 = 0 });
 
 impl medax_power_crust_options {
     fn translate(&self) -> Result<PowerCrustOptions> {
         let round_poles = options::flag(self.round_poles, "round_poles")?;
         let keep_shards = options::flag(self.keep_shards, "keep_shards")?;
         let poles = poles::omission(self.omit, self.lambda)?;
-        Ok(PowerCrustOptions { deep: self.deep, round_poles, keep_shards, poles })
+        let label_rule = label_rule(self.label_rule)?;
+        Ok(PowerCrustOptions { deep: self.deep, round_poles, keep_shards, label_rule, poles })
     }
 }
 
@@ -353,6 +387,30 @@ pub unsafe extern "C" fn medax_power_crust_unreached_count(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn medax_power_crust_forced_count(crust: *const medax_power_crust) -> usize {
     boundary::value(0, || handle::maybe(crust).map_or(0, |c| c.crust.forced_count()))
+}
+
+/// How much the labels contradict each other: the sum of the squared weights of the links that do not have the labels that they
+/// ask for, divided by the number of poles. Links are samples with two poles, which ask for different labels, and
+/// balls that intersect deeply, which ask for the same.
+///
+/// \param crust The power crust; NULL has none.
+/// \return The conflict: 1e-3 and less where a sample is dense; near 0.1 the solid is a guess.
+///
+/// Constant time. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_power_crust_conflict(crust: *const medax_power_crust) -> f64 {
+    boundary::value(0.0, || handle::maybe(crust).map_or(0.0, |c| c.crust.conflict()))
+}
+
+/// Whether labels were changed to lessen their conflict: `MEDAX_LABEL_RULE_LEAST_CONFLICT` was asked for, or needed.
+///
+/// \param crust The power crust; NULL has no labels.
+/// \return Whether they were.
+///
+/// Constant time. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_power_crust_is_settled(crust: *const medax_power_crust) -> bool {
+    boundary::value(false, || handle::maybe(crust).is_some_and(|c| c.crust.is_settled()))
 }
 
 /// Checks a power crust, by its combinatorics alone: the labels, that the surface is closed and is

@@ -1,7 +1,7 @@
 //! Holes that stay open (Amenta, Choi, Kolluri 2001, section 7.1).
 
 use super::PowerCrust;
-use super::label::same_side_weight;
+use super::links::same_side_weight;
 use crate::complex::{Attribute, Complex, ComplexParts, Element, Rows, Values};
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;

@@ -6,20 +6,24 @@
 //! between inner and outer cells are the surface.
 
 mod balls;
+mod conflict;
+mod cut;
 mod derive;
 mod division;
 mod export;
 mod holes;
 mod label;
+mod links;
 mod queue;
 mod shape;
 mod shards;
 mod simplify;
+mod spread;
 mod surface;
 mod validate;
 
 pub use holes::{HoleOptions, OpenSurface};
-pub use label::Label;
+pub use label::{CONFLICT_LIMIT, Label, LabelRule};
 pub use simplify::{Simplified, SimplifyOptions};
 
 use crate::complex::Complex;
@@ -30,6 +34,7 @@ use crate::points::Points;
 use crate::poles::{Poles, PolesOptions};
 use crate::triangulation::Triangulation;
 use division::Division;
+use label::LabelAccount;
 use std::sync::Arc;
 use surface::Shards;
 
@@ -50,6 +55,8 @@ pub struct PowerCrustOptions {
     /// Keep the shards of every sample, the vertices of the power diagram that are the sample itself but for the rounding of the
     /// balls; off by default: the surface then passes through the samples exactly, with one vertex for each.
     pub keep_shards: bool,
+    /// How poles are labelled.
+    pub label_rule: LabelRule,
     /// Which poles are left out, where the poles have not been chosen yet.
     pub poles: PolesOptions,
 }
@@ -60,6 +67,7 @@ impl Default for PowerCrustOptions {
             deep: 0.4,
             round_poles: false,
             keep_shards: false,
+            label_rule: LabelRule::Auto,
             poles: PolesOptions::default(),
         }
     }
@@ -80,8 +88,7 @@ pub struct PowerCrust {
     shards: Shards,
     regular: Arc<Triangulation>,
     labels: Vec<Label>,
-    unreached: usize,
-    forced: usize,
+    account: LabelAccount,
     surface: Arc<Complex>,
     inner_shape: Arc<Complex>,
     outer_shape: Arc<Complex>,
@@ -104,8 +111,7 @@ struct Parts {
     shards: Shards,
     regular: Arc<Triangulation>,
     labels: Vec<Label>,
-    unreached: usize,
-    forced: usize,
+    account: LabelAccount,
 }
 
 impl PowerCrust {
@@ -168,15 +174,15 @@ impl PowerCrust {
         let labelling = label::label_poles(&poles, &regular, &options, run)?;
         run.enter(Stage::Extract)?;
         let shards = if options.keep_shards { Shards::Keep } else { Shards::Merge };
-        let label::Labelling { labels, unreached, forced } = labelling;
+        let label::Labelling { labels, account } = labelling;
         let balls = Balls::Poles;
-        let parts = Parts { options, poles, balls, shards, regular, labels, unreached, forced };
+        let parts = Parts { options, poles, balls, shards, regular, labels, account };
         PowerCrust::assemble(parts, run)
     }
 
     /// The surface and the shapes of labelled balls.
     fn assemble(parts: Parts, run: &Run<'_>) -> Result<Self> {
-        let Parts { options, poles, balls, shards, regular, labels, unreached, forced } = parts;
+        let Parts { options, poles, balls, shards, regular, labels, account } = parts;
         let mut room = Room::new(run);
         let division = Division::new(&regular, &labels, &mut room, run)?;
         let surface = surface::extract(&poles, &regular, &division, shards, run)?;
@@ -189,8 +195,7 @@ impl PowerCrust {
             shards,
             regular,
             labels,
-            unreached,
-            forced,
+            account,
             surface: Arc::new(surface),
             inner_shape: Arc::new(inner_shape),
             outer_shape: Arc::new(outer_shape),
@@ -219,12 +224,24 @@ impl PowerCrust {
 
     /// The number of poles that no label reached, and that are outer for that reason.
     pub fn unreached_count(&self) -> usize {
-        self.unreached
+        self.account.unreached
     }
 
     /// The number of poles made outer because their power cells are unbounded.
     pub fn forced_count(&self) -> usize {
-        self.forced
+        self.account.forced
+    }
+
+    /// How much the labels contradict each other: the sum of the squared weights of the links that do not have the labels that they ask for,
+    /// divided by the number of poles. Links are samples with two poles, which ask for different labels, and balls that intersect
+    /// deeply, which ask for the same. 1e-3 and less where a sample is dense; near 0.1 the solid is a guess.
+    pub fn conflict(&self) -> f64 {
+        self.account.conflict
+    }
+
+    /// Whether labels were changed to lessen their conflict: [`LabelRule::LeastConflict`] was asked for or needed.
+    pub fn is_settled(&self) -> bool {
+        self.account.settled
     }
 
     /// The power crust: convex polygons, oriented outward. Faces carry `inner_pole` and

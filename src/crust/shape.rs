@@ -179,7 +179,7 @@ fn joined<'a, T: Copy + 'a>(
 
 #[cfg(test)]
 mod tests {
-    use crate::crust::{Label, PowerCrust, PowerCrustOptions};
+    use crate::crust::{Label, LabelRule, PowerCrust, PowerCrustOptions};
     use crate::{Job, Points};
     use std::collections::{BTreeMap, BTreeSet};
     use std::sync::Arc;
@@ -193,7 +193,8 @@ mod tests {
         };
         let rows: Vec<[f64; 3]> = (0..2000).map(|_| [random(), random(), random()]).collect();
         let points = Points::new(&rows, Default::default(), &Job::default()).unwrap();
-        PowerCrust::build(&Arc::new(points), PowerCrustOptions::default(), &Job::default()).unwrap()
+        let options = PowerCrustOptions { label_rule: LabelRule::Spread, ..Default::default() };
+        PowerCrust::build(&Arc::new(points), options, &Job::default()).unwrap()
     }
 
     #[test]

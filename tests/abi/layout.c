@@ -98,7 +98,7 @@ FIELD(medax_power_crust_options, lambda, 16);
 FIELD(medax_power_crust_options, round_poles, 24);
 FIELD(medax_power_crust_options, keep_shards, 28);
 FIELD(medax_power_crust_options, omit, 32);
-FIELD(medax_power_crust_options, reserved, 36);
+FIELD(medax_power_crust_options, label_rule, 36);
 
 SIZE(medax_simplify_options, 24);
 FIELD(medax_simplify_options, struct_size, 0);

@@ -36,7 +36,8 @@ static void refusals(void) {
     CHECK_STATUS(NULL_ARGUMENT, medax_power_crust_options_init(NULL, sizeof options));
     CHECK_STATUS(INVALID_ARGUMENT, medax_power_crust_options_init(&options, 8));
     CHECK_STATUS(OK, medax_power_crust_options_init(&options, sizeof options));
-    CHECK(options.deep == 0.4 && options.round_poles == 0 && options.reserved == 0);
+    CHECK(options.deep == 0.4 && options.round_poles == 0);
+    CHECK(options.label_rule == MEDAX_LABEL_RULE_AUTO);
     CHECK(options.lambda == 0 && options.keep_shards == 0 && options.omit == MEDAX_OMIT_NOTHING);
     options.round_poles = 2;
     CHECK_STATUS(INVALID_ARGUMENT, medax_power_crust_build(points, &options, NULL, &crust));
@@ -51,9 +52,9 @@ static void refusals(void) {
     CHECK_STATUS(INVALID_ARGUMENT, medax_power_crust_build(points, &options, NULL, &crust));
     options.omit = MEDAX_OMIT_NOTHING;
     options.lambda = 0;
-    options.reserved = 1;
+    options.label_rule = 3;
     CHECK_STATUS(INVALID_ARGUMENT, medax_power_crust_build(points, &options, NULL, &crust));
-    options.reserved = 0;
+    options.label_rule = MEDAX_LABEL_RULE_AUTO;
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
         options.deep = bad[i];
         CHECK_STATUS(INVALID_ARGUMENT, medax_power_crust_build(points, &options, NULL, &crust));
@@ -82,6 +83,7 @@ static void null_is_nothing(void) {
     CHECK(medax_power_crust_labels(NULL).rows == 0 && !medax_power_crust_is_visible(NULL, 0));
     CHECK(medax_power_crust_unreached_count(NULL) == 0);
     CHECK(medax_power_crust_forced_count(NULL) == 0);
+    CHECK(medax_power_crust_conflict(NULL) == 0 && !medax_power_crust_is_settled(NULL));
     CHECK(medax_power_crust_clone(NULL) == NULL);
     CHECK(complex == NULL && poles == NULL && regular == NULL);
     medax_power_crust_free(NULL);
@@ -180,6 +182,7 @@ static void parts(void) {
     CHECK(visible == medax_complex_vertices(inner).rows + medax_complex_vertices(outer).rows);
     CHECK(medax_power_crust_unreached_count(crust) <= labels.rows);
     CHECK(medax_power_crust_forced_count(crust) <= labels.rows);
+    CHECK(medax_power_crust_conflict(crust) >= 0);
     CHECK_STATUS(OK, medax_complex_attribute(surface, MEDAX_ELEMENT_FACE, "inner_pole", &attribute));
     CHECK(attribute.u32_values.rows == medax_complex_faces(surface).rows);
     CHECK(labels.data[attribute.u32_values.data[0]] == MEDAX_LABEL_INNER);

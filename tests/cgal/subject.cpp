@@ -89,6 +89,8 @@ Crust power_crust(const std::vector<Point>& samples, bool round_poles) {
     crust.poles = copy(poles);
     medax::PowerCrustOptions options;
     options.round_poles = round_poles;
+    // Only the paper's rule is written a second time.
+    options.label_rule = MEDAX_LABEL_RULE_SPREAD;
     try {
         const medax::Complex merged = medax::PowerCrust::of(poles, options).surface();
         crust.merged = {rows<3>(merged.vertices()), rows<3>(merged.triangles())};

@@ -52,11 +52,11 @@ fn weights_and_radii_that_are_none_are_refused() {
     let (columns, _) = message("triangulate in.ply --radii normal", 2);
     assert!(columns.contains("'normal' has 3 columns"), "{columns}");
     // A row that is left out needs no radius.
-    let (negative, error) = message("triangulate in.ply --radii r --skip-non-finite", 1);
+    let (negative, error) = message("triangulate in.ply --radii r --skip-invalid", 1);
     assert_eq!(negative, "a radius must not be negative, and this one is -0.5");
     assert_eq!((&error["kind"], &error["index"]), (&"row".into(), &3.into()));
     assert_eq!(error["path"], "in.ply");
-    place.json("triangulate in.ply --weights r --skip-non-finite");
+    place.json("triangulate in.ply --weights r --skip-invalid");
 }
 
 #[test]

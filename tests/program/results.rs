@@ -261,7 +261,7 @@ fn left_out_rows_are_counted() {
     assert_eq!(error["status"], "NON_FINITE");
     assert_eq!((&error["kind"], &error["index"]), (&"row".into(), &3.into()));
     assert_eq!(error["path"], "points.xyz");
-    let input = place.json("triangulate points.xyz --skip-non-finite")["input"].clone();
+    let input = place.json("triangulate points.xyz --skip-invalid")["input"].clone();
     assert_eq!((&input["points"], &input["duplicates"]), (&5.into(), &1.into()));
     assert_eq!((&input["skipped"], &input["unused"]), (&1.into(), &0.into()));
     place.write("mesh.off", "OFF\n5 1 0\n0 0 0\n1 0 0\n9 9 9\n0 1 0\n8 8 8\n3 0 1 3\n");
@@ -361,7 +361,7 @@ fn models_give_solids() {
     let kinect = data.join("kinect_office_nan.ply");
     let error = place.failure(&format!("info {}", kinect.display()), 1);
     assert_eq!(error["status"], "NON_FINITE");
-    let kinect = place.json(&format!("info {} --skip-non-finite", kinect.display()));
+    let kinect = place.json(&format!("info {} --skip-invalid", kinect.display()));
     assert_eq!(kinect["input"]["skipped"], 52744);
     assert_eq!(kinect["input"]["points"], 254456);
 }

@@ -4,6 +4,7 @@ mod crust;
 mod dual;
 mod generated;
 mod job;
+mod labels;
 mod points;
 mod poles;
 mod sets;

@@ -71,6 +71,10 @@ public:
         return medax_power_crust_unreached_count(get());
     }
     std::size_t forced_count() const noexcept { return medax_power_crust_forced_count(get()); }
+    /// How much the labels contradict each other.
+    double conflict() const noexcept { return medax_power_crust_conflict(get()); }
+    /// Whether labels were changed to lessen their conflict.
+    bool is_settled() const noexcept { return medax_power_crust_is_settled(get()); }
     /// The poles as vertices with `radius` and `label`, for writing.
     Complex poles_complex() const {
         const medax_complex *complex = nullptr;

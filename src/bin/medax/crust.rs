@@ -4,7 +4,7 @@ use crate::omit::OmitOptions;
 use crate::report::{Counts, Report};
 use crate::session::{Failure, OutputOptions, ReadOptions, Session, ValidateOptions};
 use crate::variants::VariantOptions;
-use medax::crust::{Label, PowerCrustOptions};
+use medax::crust::{CONFLICT_LIMIT, Label, LabelRule, PowerCrustOptions};
 use medax::{Complex, PowerCrust};
 use serde_json::json;
 use std::f64::consts::PI;
@@ -41,12 +41,33 @@ pub struct Options {
     /// Keep the shards of every sample: vertices of the power diagram that are the sample but for rounding
     #[arg(long)]
     keep_shards: bool,
+    /// How poles are labelled inner and outer: by labels that spread from outside and are never taken back, by changing them until
+    /// they contradict each other least, or automatically by the latter where the former leaves much conflict
+    #[arg(long, value_enum, value_name = "RULE", default_value_t = Rule::Auto)]
+    labels: Rule,
     #[command(flatten)]
     omit: OmitOptions,
     #[command(flatten)]
     variants: VariantOptions,
     #[command(flatten)]
     validate: ValidateOptions,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Rule {
+    Auto,
+    Spread,
+    LeastConflict,
+}
+
+impl Rule {
+    fn translate(self) -> (LabelRule, &'static str) {
+        match self {
+            Rule::Auto => (LabelRule::Auto, "auto"),
+            Rule::Spread => (LabelRule::Spread, "spread"),
+            Rule::LeastConflict => (LabelRule::LeastConflict, "least-conflict"),
+        }
+    }
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -83,6 +104,8 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     };
     asked.round_poles = options.round_poles;
     asked.keep_shards = options.keep_shards;
+    let (rule, rule_name) = options.labels.translate();
+    asked.label_rule = rule;
     asked.poles = options.omit.translate()?;
     let soup = session.read(&options.input)?;
     let (points, input) = session.points(&options.input, &soup, &options.read)?;
@@ -96,6 +119,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
         ("deep_degrees", json!(options.deep_degrees.unwrap_or(degrees))),
         ("round_poles", json!(options.round_poles)),
         ("keep_shards", json!(options.keep_shards)),
+        ("labels", json!(rule_name)),
         ("triangles", json!(options.triangles)),
         ("side", json!(options.side.name())),
     ] {
@@ -105,6 +129,12 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     let crust = options.variants.apply(crust, &mut report, session)?;
     options.validate.report(&mut report, || crust.validate(&session.job))?;
     describe(&crust, &mut report);
+    if crust.conflict() > CONFLICT_LIMIT {
+        session.warn(&format!(
+            "labels contradict each other ({:.3} a pole): the sample is noisy or has gaps, and parts of the surface may be guesses",
+            crust.conflict()
+        ));
+    }
     if crust.surface().faces().is_empty() {
         session.warn(
             "no pole is inner, so the surface is empty: the sample is too sparse for its shape",
@@ -139,8 +169,15 @@ fn describe(crust: &PowerCrust, report: &mut Report) {
     let inner = crust.labels().iter().filter(|&&label| label == Label::Inner).count();
     let outer = crust.labels().len() - inner;
     let (unreached, forced) = (crust.unreached_count(), crust.forced_count());
-    let labels =
-        json!({ "inner": inner, "outer": outer, "unreached": unreached, "forced": forced });
+    let (conflict, settled) = (crust.conflict(), crust.is_settled());
+    let labels = json!({
+        "inner": inner,
+        "outer": outer,
+        "unreached": unreached,
+        "forced": forced,
+        "conflict": conflict,
+        "settled": settled,
+    });
     report.more.insert("labels".into(), labels);
     let mut line = format!("{inner} inner, {outer} outer poles");
     if unreached > 0 {
@@ -150,6 +187,8 @@ fn describe(crust: &PowerCrust, report: &mut Report) {
         line += &format!(", {forced} forced out");
     }
     report.lines.push(("labels", line));
+    let how = if settled { ", after labels were changed to lessen it" } else { "" };
+    report.lines.push(("conflict", format!("{conflict:.2e} a pole{how}")));
 }
 
 fn shape(crust: &PowerCrust, side: Side) -> Result<(&'static str, Complex), Failure> {

@@ -31,16 +31,16 @@ pub struct Options {
 pub struct ReadOptions {
     /// Leave out rows with a NaN or an infinity instead of failing
     #[arg(long)]
-    skip_non_finite: bool,
+    skip_invalid: bool,
 }
 
 impl ReadOptions {
     pub fn describe(&self, parameters: &mut Map<String, Value>) {
-        parameters.insert("skip_non_finite".into(), json!(self.skip_non_finite));
+        parameters.insert("skip_invalid".into(), json!(self.skip_invalid));
     }
 
     pub fn points_options(&self) -> PointsOptions {
-        PointsOptions { skip_non_finite: self.skip_non_finite }
+        PointsOptions { skip_non_finite: self.skip_invalid }
     }
 }
 

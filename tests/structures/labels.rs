@@ -1,0 +1,68 @@
+//! Labels of samples that are noisy and have gaps.
+
+use crate::sets::Random;
+use medax::crust::{CONFLICT_LIMIT, LabelRule, PowerCrustOptions};
+use medax::{Job, Points, PowerCrust};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+fn crust(points: &Arc<Points>, label_rule: LabelRule) -> PowerCrust {
+    let options = PowerCrustOptions { label_rule, ..Default::default() };
+    let crust = PowerCrust::build(points, options, &Job::default()).unwrap();
+    let report = crust.validate(&Job::default()).unwrap();
+    assert!(report.is_valid(), "{label_rule:?}: {:?}", report.first);
+    crust
+}
+
+fn points(rows: &[[f64; 3]]) -> Arc<Points> {
+    Arc::new(Points::new(rows, Default::default(), &Job::default()).unwrap())
+}
+
+/// Random samples of a torus with radii 2 and 0.7, each moved by up to so much along each axis: only those that turn to one of three
+/// scanners, if asked for.
+fn torus(noise: f64, scanned: bool, seed: u64) -> Arc<Points> {
+    let mut random = Random(seed);
+    let mut rows = Vec::new();
+    while rows.len() < 6000 {
+        let [u, v] = [(); 2].map(|()| TAU * random.unit());
+        let [x, y, z] = [v.cos() * u.cos(), v.cos() * u.sin(), v.sin()];
+        let is_seen = z > 0.2 || x > 0.2 || y < -0.2;
+        let r = 2.0 + 0.7 * v.cos();
+        // The outer half has the larger share of the area.
+        if (is_seen || !scanned) && random.unit() < r / 2.7 {
+            let on = [r * u.cos(), r * u.sin(), 0.7 * v.sin()];
+            rows.push(on.map(|x| x + noise * (2.0 * random.unit() - 1.0)));
+        }
+    }
+    points(&rows)
+}
+
+fn form(crust: &PowerCrust) -> (u64, Option<u64>) {
+    let topology = crust.surface().topology(&Job::default()).unwrap();
+    (topology.components, topology.genus)
+}
+
+#[test]
+fn a_noisy_torus_keeps_its_genus_where_labels_that_spread_lose_it() {
+    for (scanned, seed) in [(false, 7), (false, 8), (true, 7), (true, 8)] {
+        let points = torus(0.05, scanned, seed);
+        let [spread, least, auto] = [LabelRule::Spread, LabelRule::LeastConflict, LabelRule::Auto]
+            .map(|rule| crust(&points, rule));
+        assert!(spread.conflict() > CONFLICT_LIMIT && !spread.is_settled());
+        assert_ne!(form(&spread), (1, Some(1)));
+        assert!(least.conflict() < 0.7 * spread.conflict() && least.is_settled());
+        assert_eq!(form(&least), (1, Some(1)), "scanned {scanned}, seed {seed}");
+        assert_eq!(auto.labels(), least.labels());
+    }
+}
+
+#[test]
+fn labels_of_dense_samples_are_those_of_the_paper() {
+    let mut random = Random(5);
+    let rows: Vec<[f64; 3]> = (0..3000).map(|_| random.sphere()).collect();
+    for points in [points(&rows), torus(0.0, false, 1)] {
+        let [spread, auto] = [LabelRule::Spread, LabelRule::Auto].map(|rule| crust(&points, rule));
+        assert!(auto.conflict() < CONFLICT_LIMIT / 10.0 && !auto.is_settled());
+        assert_eq!(auto.labels(), spread.labels());
+    }
+}
