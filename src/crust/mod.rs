@@ -15,12 +15,14 @@ mod queue;
 mod shape;
 mod shards;
 mod simplify;
+mod sizes;
 mod surface;
 mod validate;
 
 pub use holes::{HoleOptions, OpenSurface};
 pub use label::Label;
 pub use simplify::{Simplified, SimplifyOptions};
+pub use sizes::Sizes;
 
 use crate::complex::Complex;
 use crate::error::{Error, Result, Status};
@@ -30,7 +32,8 @@ use crate::points::Points;
 use crate::poles::{Poles, PolesOptions};
 use crate::triangulation::Triangulation;
 use division::Division;
-use std::sync::Arc;
+use sizes::SizeIndex;
+use std::sync::{Arc, OnceLock};
 use surface::Shards;
 
 /// What to build.
@@ -85,6 +88,8 @@ pub struct PowerCrust {
     surface: Arc<Complex>,
     inner_shape: Arc<Complex>,
     outer_shape: Arc<Complex>,
+    /// For [`PowerCrust::sizes_at`]; made when that is first asked.
+    size_index: OnceLock<SizeIndex>,
 }
 
 /// The balls of a power crust.
@@ -194,6 +199,7 @@ impl PowerCrust {
             surface: Arc::new(surface),
             inner_shape: Arc::new(inner_shape),
             outer_shape: Arc::new(outer_shape),
+            size_index: OnceLock::new(),
         })
     }
 
