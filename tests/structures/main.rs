@@ -7,5 +7,6 @@ mod job;
 mod points;
 mod poles;
 mod sets;
+mod sizes;
 mod triangulation;
 mod variants;

@@ -69,8 +69,8 @@ impl SizeOptions {
         if let Some(path) = &self.samples {
             report.outputs.push(session.deliver("samples", &samples, Some(path), output)?);
         }
-        if let (Some(points), Some([_, path])) = (points, self.at()) {
-            let sized = crust.with_sizes(&points, &session.job)?;
+        if let (Some(points), Some([from, path])) = (points, self.at()) {
+            let sized = crust.with_sizes(&points, &session.job).map_err(Failure::about(from))?;
             report.outputs.push(session.deliver("sizes", &sized, Some(path), output)?);
         }
         Ok(())
