@@ -95,6 +95,7 @@ fn main() {
         PowerCrust::build(&points, PowerCrustOptions::default(), job).map(drop)
     });
     measure("its validate", |job| crust.validate(job).map(drop));
+    measure("sizes", |job| crust.with_sizes(surface, job).map(drop));
     measure("topology", |job| surface.topology(job).map(drop));
     measure("orientation", |job| surface.oriented(job).map(drop));
     measure("its validate", |job| surface.validate(job).map(drop));

@@ -1676,7 +1676,7 @@ MEDAX_API medax_view_f64 medax_poles_normals(const medax_poles *poles);
  * \param job NULL for a default job.
  * \param out_distances Receives `query_count` distances in input units, infinite if all poles are
  *        at infinity; the caller's buffer, NULL only if `query_count` is 0.
- * \return `MEDAX_STATUS_OK`; `NON_FINITE` or `COORDINATE_RANGE` with the row of a query;
+ * \return `MEDAX_STATUS_OK`; `NON_FINITE`, or `COORDINATE_RANGE` beyond 2^200, with the row of a query;
  *         `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
  *
  * O(log p) a query, and O(p log p) once, in the first call. Since 0.1.
@@ -2301,7 +2301,77 @@ medax_status medax_power_crust_open(const medax_power_crust *crust,
                                     const medax_complex **out_surface,
                                     const medax_complex **out_left_out);
 
-/* ---- 14. Complex ------------------------------------------------------------------------------
+/* ---- 14. Sizes --------------------------------------------------------------------------------
+ *
+ * Two lengths that a power crust knows of any point. The local feature size is the distance to the medial axis, estimated by that to
+ * the nearest pole: a mesh with edges in proportion to it follows the surface (Amenta, Bern 1999, Surface reconstruction by Voronoi
+ * filtering). The thickness of the solid at a sample is the diameter of the sample's inner polar ball, which touches the surface there and
+ * on the other side; any other point has the thickness at the nearest sample.
+ */
+
+/**
+ * The local feature size and the thickness at any points.
+ *
+ * The feature size is the distance to the nearest pole whose ball the power crust has, inner or outer. The thickness is the diameter
+ * of the inner ball of the nearest sample that has one, of several as near that of the least number; of two inner balls the larger counts. A
+ * sample may have none, because its poles were left out, are both outer, or their balls vanished. Balls have the radii
+ * that they have in this power crust: those of an offset the changed ones.
+ *
+ * \param crust The power crust.
+ * \param query_xyz `query_count` x 3 coordinates; NULL only if `query_count` is 0.
+ * \param query_count The number of points.
+ * \param job NULL for a default job.
+ * \param out_feature_size Receives `query_count` lengths in input units; the caller's buffer, NULL only if `query_count` is 0.
+ * \param out_thickness Receives `query_count` lengths in input units, 0 if no sample has an inner ball; the caller's buffer, NULL only if
+ *        `query_count` is 0.
+ * \return `MEDAX_STATUS_OK`; `NON_FINITE`, or `COORDINATE_RANGE` beyond 2^200, with the row of a query;
+ *         `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(log n) a query, and O(n log n) once, in the first call. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_power_crust_sizes_at(const medax_power_crust *crust,
+                                        const double *query_xyz,
+                                        size_t query_count,
+                                        const medax_job *job,
+                                        double *out_feature_size,
+                                        double *out_thickness);
+
+/**
+ * The distinct samples as vertices, in spatial order, with the attributes `feature_size`, `thickness` and `row`, the first input row of
+ * each.
+ *
+ * \param crust The power crust.
+ * \param job NULL for a default job.
+ * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(n log n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_power_crust_samples_complex(const medax_power_crust *crust,
+                                               const medax_job *job,
+                                               const medax_complex **out_complex);
+
+/**
+ * A complex with the sizes at its vertices, as the attributes `feature_size` and `thickness`, which take the place of any that have
+ * these names: the surface of the power crust, a part of it, or another mesh of the same thing.
+ *
+ * \param crust The power crust.
+ * \param complex The complex.
+ * \param job NULL for a default job.
+ * \param out_complex Receives the complex with the attributes, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`; `COORDINATE_RANGE` with a vertex beyond 2^200; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(log n) a vertex, and O(n log n) once, in the first call. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_power_crust_with_sizes(const medax_power_crust *crust,
+                                          const medax_complex *complex,
+                                          const medax_job *job,
+                                          const medax_complex **out_complex);
+
+/* ---- 15. Complex ------------------------------------------------------------------------------
  *
  * The one output type: vertices; faces, which are polygons; loose edges, which are no side of a
  * face; volume cells; named attributes on each of them; and the faces cut into triangles.
@@ -2578,7 +2648,7 @@ MEDAX_API const medax_complex *medax_complex_clone(const medax_complex *complex)
  */
 MEDAX_API void medax_complex_free(const medax_complex *complex);
 
-/* ---- 15. Topology -----------------------------------------------------------------------------
+/* ---- 16. Topology -----------------------------------------------------------------------------
  *
  * What a complex is as a set of elements that share others, told from its indices alone: vertices
  * that merely lie at the same place are different vertices. And what its coordinates make of that: measures, triangles that intersect.
@@ -2759,7 +2829,7 @@ medax_status medax_complex_validate(const medax_complex *complex,
                                     const medax_job *job,
                                     medax_validation *out_report);
 
-/* ---- 16. Comparison ---------------------------------------------------------------------------
+/* ---- 17. Comparison ---------------------------------------------------------------------------
  *
  * How far two complexes are apart as sets of points: their faces, loose edges and cells, which are
  * solid; or their vertices, where they have none of these.
@@ -2856,7 +2926,7 @@ medax_status medax_complex_compare(const medax_complex *a,
                                    const medax_job *job,
                                    medax_comparison *out_report);
 
-/* ---- 17. Decimation ---------------------------------------------------------------------------
+/* ---- 18. Decimation ---------------------------------------------------------------------------
  *
  * Fewer triangles for the same surface.
  */
@@ -2915,7 +2985,7 @@ medax_status medax_complex_decimate(const medax_complex *complex,
                                     const medax_job *job,
                                     const medax_complex **out_decimated);
 
-/* ---- 18. File contents ------------------------------------------------------------------------
+/* ---- 19. File contents ------------------------------------------------------------------------
  *
  * What a file holds, before points or a complex are made of it. Reading trusts nothing, and an error
  * names the line of a text or the byte of a binary file. The ending of a path names the format:
@@ -3091,7 +3161,7 @@ MEDAX_API const medax_file *medax_file_clone(const medax_file *file);
  */
 MEDAX_API void medax_file_free(const medax_file *file);
 
-/* ---- 19. Reading and writing ------------------------------------------------------------------
+/* ---- 20. Reading and writing ------------------------------------------------------------------
  *
  * Written are PLY, OFF, OBJ, STL, XYZ, PTS, TXT, CSV, MA and VTU, by the ending of the path, to a
  * file beside the given name, which is moved into place when it is complete: after an error, a file
@@ -3242,7 +3312,7 @@ MEDAX_API const medax_warnings *medax_warnings_clone(const medax_warnings *warni
  */
 MEDAX_API void medax_warnings_free(const medax_warnings *warnings);
 
-/* ---- 20. Samples ------------------------------------------------------------------------------
+/* ---- 21. Samples ------------------------------------------------------------------------------
  *
  * Points of the surfaces of built-in shapes and of meshes, evenly spread: no two are nearer than
  * the spacing. The same options give the same points on every machine.

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// The chapters of the header in order: the files of `src/capi`.
-const CHAPTERS: [&str; 20] = [
+const CHAPTERS: [&str; 21] = [
     "status",
     "handle",
     "view",
@@ -21,6 +21,7 @@ const CHAPTERS: [&str; 20] = [
     "poles",
     "crust",
     "variants",
+    "sizes",
     "complex",
     "topology",
     "compare",

@@ -28,6 +28,7 @@ mod job;
 mod points;
 mod poles;
 mod sample;
+mod sizes;
 mod status;
 mod topology;
 mod triangulation;

@@ -321,7 +321,7 @@ unsafe fn indices(
 /// \param job NULL for a default job.
 /// \param out_distances Receives `query_count` distances in input units, infinite if all poles are
 ///        at infinity; the caller's buffer, NULL only if `query_count` is 0.
-/// \return `MEDAX_STATUS_OK`; `NON_FINITE` or `COORDINATE_RANGE` with the row of a query;
+/// \return `MEDAX_STATUS_OK`; `NON_FINITE`, or `COORDINATE_RANGE` beyond 2^200, with the row of a query;
 ///         `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
 ///
 /// O(log p) a query, and O(p log p) once, in the first call. Since 0.1.

@@ -1,6 +1,8 @@
 //! Named values on the elements of a complex.
 
+use super::{Complex, ComplexParts, Rows};
 use crate::error::{Error, Result, Status};
+use crate::job::{Room, Run};
 
 /// The kinds of elements of a [`Complex`](super::Complex). The numbers are the C ABI's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -79,10 +81,54 @@ impl Attribute {
         &self.values
     }
 
+    /// What the values take.
+    fn bytes(&self) -> usize {
+        match &self.values {
+            Values::F64(values) => size_of_val(&values[..]),
+            Values::U32(values) => size_of_val(&values[..]),
+        }
+    }
+
     fn value_count(&self) -> usize {
         match &self.values {
             Values::F64(values) => values.len(),
             Values::U32(values) => values.len(),
         }
+    }
+}
+
+impl Complex {
+    /// The same complex with more attributes, in place of any that have their names on the same kind of element.
+    pub(crate) fn with_attributes_in(
+        &self,
+        mut attributes: Vec<Attribute>,
+        run: &Run<'_>,
+    ) -> Result<Complex> {
+        let mut room = Room::new(run);
+        let mut copy = |rows: &Rows| {
+            let offsets = room.collect(rows.offsets().iter().copied())?;
+            Rows::new(offsets, room.collect(rows.indices().iter().copied())?)
+        };
+        let (faces, cells) = (copy(&self.faces)?, copy(&self.cells)?);
+        let mut kept = Vec::new();
+        for old in &self.attributes {
+            let same = |new: &Attribute| new.element == old.element && new.name == old.name;
+            if !attributes.iter().any(same) {
+                run.poll()?;
+                room.keep(old.bytes())?;
+                kept.push(old.clone());
+            }
+        }
+        kept.append(&mut attributes);
+        let parts = ComplexParts {
+            dimension: self.dimension,
+            vertices: room.collect(self.vertices.iter().copied())?,
+            faces,
+            edges: room.collect(self.edges.iter().copied())?,
+            cells,
+            cell_types: room.collect(self.cell_types.iter().copied())?,
+            attributes: kept,
+        };
+        Complex::sound_in(parts, run)
     }
 }

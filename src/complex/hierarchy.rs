@@ -111,25 +111,36 @@ impl<const N: usize> Hierarchy<N> {
 
     /// The squared distance to the nearest simplex, if it is less than `bound`, else `bound`.
     pub(crate) fn distance_2(&self, point: Point, bound: f64) -> f64 {
+        self.approach(point, bound, |simplex, least| least.min(distance_2(point, &simplex.corners)))
+    }
+
+    /// Visits simplices, nearer boxes first, whose boxes are nearer to a point than a limit, a squared distance. `visit` gets the limit and
+    /// returns the next one, which is no greater. Returns the last.
+    fn approach(
+        &self,
+        point: Point,
+        limit: f64,
+        mut visit: impl FnMut(&Simplex<N>, f64) -> f64,
+    ) -> f64 {
         let to_box = |node: u32| {
             let Bounds { min, max } = self.nodes[node as usize].bounds;
             let out = |axis: usize| (min[axis] - point[axis]).max(point[axis] - max[axis]).max(0.0);
             let [x, y, z] = [out(0), out(1), out(2)];
             (x * x + y * y + z * z, node)
         };
-        let mut least = bound;
+        let mut limit = limit;
         let mut waiting = [(0.0, 0); DEPTH];
         let mut count = usize::from(!self.nodes.is_empty());
         while count > 0 {
             count -= 1;
             let (lower, number) = waiting[count];
-            if lower >= least {
+            if lower >= limit {
                 continue;
             }
             let node = &self.nodes[number as usize];
             if node.second == 0 {
                 let simplices = &self.simplices[node.begin as usize..node.end as usize];
-                least = simplices.iter().fold(least, |d, s| d.min(distance_2(point, &s.corners)));
+                limit = simplices.iter().fold(limit, |limit, simplex| visit(simplex, limit));
             } else {
                 let (a, b) = (to_box(number + 1), to_box(node.second));
                 // The nearer one is looked at first: it may rule out the other.
@@ -139,7 +150,7 @@ impl<const N: usize> Hierarchy<N> {
                 count += 2;
             }
         }
-        least
+        limit
     }
 
     /// Visits every simplex whose box meets the given box.
@@ -221,6 +232,25 @@ impl<const N: usize> Hierarchy<N> {
     }
 }
 
+impl Hierarchy<1> {
+    /// The tag of the nearest point, of several as near the least; `None` if there is no point.
+    ///
+    /// Distances are compared by their rounded squares. Rounding makes no box farther than a point in it, so that those are all
+    /// looked at that the rounded square of the least distance has.
+    pub(crate) fn nearest(&self, point: Point) -> Option<u32> {
+        let mut nearest: Option<(f64, u32)> = None;
+        self.approach(point, f64::INFINITY, |simplex, limit| {
+            let found = (distance_2(point, &simplex.corners), simplex.tag);
+            if nearest.is_none_or(|best| found < best) {
+                nearest = Some(found);
+            }
+            // What is as near may still come.
+            nearest.map_or(limit, |(distance_2, _)| distance_2.next_up())
+        });
+        nearest.map(|(_, tag)| tag)
+    }
+}
+
 fn merged(a: &Bounds, b: &Bounds) -> Bounds {
     Bounds {
         min: std::array::from_fn(|i| a.min[i].min(b.min[i])),
@@ -263,6 +293,23 @@ mod tests {
             let all = segments.iter().map(|s| distance_2(point, &s.corners));
             let expected = all.fold(bound, f64::min);
             prop_assert_eq!(hierarchy(&segments).distance_2(point, bound), expected);
+        }
+
+        #[test]
+        fn of_points_as_near_the_least_is_found(
+            points in prop::collection::vec(prop::array::uniform3(0..4i32), 0..60),
+            twice in prop::array::uniform3(-3..10i32),
+        ) {
+            let number = |(i, p): (usize, &[i32; 3])| {
+                Simplex { corners: [p.map(f64::from)], tag: 1000 - i as u32 }
+            };
+            let points: Vec<Simplex<1>> = points.iter().enumerate().map(number).collect();
+            let made = |run: &Run<'_>| Hierarchy::new(&points, &mut Room::new(run), run);
+            let hierarchy = Job::default().run(&[], made).unwrap();
+            let query = twice.map(|x| 0.5 * f64::from(x));
+            let all = points.iter().map(|p| (distance_2(query, &p.corners), p.tag));
+            let least = all.min_by(|a, b| a.partial_cmp(b).unwrap());
+            prop_assert_eq!(hierarchy.nearest(query), least.map(|(_, tag)| tag));
         }
 
         #[test]

@@ -1,5 +1,6 @@
 //! The one output type: vertices, polygons, loose edges, volume cells, named attributes.
 
+mod answers;
 mod attribute;
 mod closest;
 mod compare;
@@ -17,6 +18,7 @@ mod topology;
 mod triangulated;
 mod validate;
 
+pub(crate) use answers::answers;
 pub use attribute::{Attribute, Element, Values};
 pub use compare::{CompareOptions, Comparison, Distances, compare};
 pub use decimate::DecimateOptions;

@@ -18,6 +18,7 @@ mod queue;
 mod shape;
 mod shards;
 mod simplify;
+mod sizes;
 mod spread;
 mod surface;
 mod validate;
@@ -25,6 +26,7 @@ mod validate;
 pub use holes::{HoleOptions, OpenSurface};
 pub use label::{CONFLICT_LIMIT, Label, LabelRule};
 pub use simplify::{Simplified, SimplifyOptions};
+pub use sizes::Sizes;
 
 use crate::complex::Complex;
 use crate::error::{Error, Result, Status};
@@ -35,7 +37,8 @@ use crate::poles::{Poles, PolesOptions};
 use crate::triangulation::Triangulation;
 use division::Division;
 use label::LabelAccount;
-use std::sync::Arc;
+use sizes::SizeIndex;
+use std::sync::{Arc, OnceLock};
 use surface::Shards;
 
 /// What to build.
@@ -92,6 +95,8 @@ pub struct PowerCrust {
     surface: Arc<Complex>,
     inner_shape: Arc<Complex>,
     outer_shape: Arc<Complex>,
+    /// For [`PowerCrust::sizes_at`]; made when that is first asked.
+    size_index: OnceLock<SizeIndex>,
 }
 
 /// The balls of a power crust.
@@ -199,6 +204,7 @@ impl PowerCrust {
             surface: Arc::new(surface),
             inner_shape: Arc::new(inner_shape),
             outer_shape: Arc::new(outer_shape),
+            size_index: OnceLock::new(),
         })
     }
 

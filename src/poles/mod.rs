@@ -11,6 +11,7 @@ mod select;
 mod touch;
 mod validate;
 
+pub(crate) use feature_size::distances;
 pub use omit::{Omit, PolesOptions};
 
 use crate::complex::{Hierarchy, Rows};
@@ -55,7 +56,7 @@ pub struct Poles {
     pole_of_sample: Vec<[u32; 2]>,
     samples_on_balls: Rows,
     normals: Vec<[f64; 3]>,
-    /// The centres of the balls, for [`Poles::feature_size`]; built when that is first asked.
+    /// The centres of the balls, for [`Poles::feature_size`]; made when that is first asked.
     hierarchy: OnceLock<Hierarchy<1>>,
 }
 

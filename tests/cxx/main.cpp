@@ -233,6 +233,15 @@ void crusts() {
     CHECK(simplified.unstable().rows() + simplified.redundant().rows() < crust.labels().rows());
     const auto [left, left_out] = crust.open();
     CHECK(left.faces().rows() + left_out.faces().rows() == crust.surface().faces().rows());
+    const medax::Sizes sizes = crust.sizes_at({{3, 3, 3}, {3, 3, 9}});
+    CHECK(sizes.feature_size == poles.feature_size({{3, 3, 3}, {3, 3, 9}}));
+    CHECK(sizes.thickness.size() == 2 && sizes.thickness[1] > 5 && crust.sizes_at({}).thickness.empty());
+    CHECK(THROWN(crust.sizes_at({{0, 0, 0}, {0, NAN, 0}})).index() == 1);
+    const medax::Complex sized = crust.with_sizes(crust.surface());
+    CHECK(sized.attribute(MEDAX_ELEMENT_VERTEX, "thickness").f64_values.rows()
+          == crust.surface().vertices().rows());
+    CHECK(crust.samples_complex().attribute(MEDAX_ELEMENT_VERTEX, "row").u32_values.rows()
+          == points.count());
     CHECK(poles.samples_on_balls().rows() == crust.labels().rows() && poles.lambda() == 0);
     const medax::Complex both = crust.both_shapes();
     CHECK(both.vertices().rows() == crust.shape(MEDAX_LABEL_INNER).vertices().rows()

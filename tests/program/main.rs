@@ -5,6 +5,7 @@
 mod process;
 mod refusals;
 mod results;
+mod sizes;
 
 use medax::sample::{SampleOptions, Shape, sample};
 use medax::{Job, io};

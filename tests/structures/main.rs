@@ -8,5 +8,6 @@ mod labels;
 mod points;
 mod poles;
 mod sets;
+mod sizes;
 mod triangulation;
 mod variants;

@@ -366,12 +366,12 @@ fn scaling_by_a_power_of_two_scales_the_poles() {
 
 #[test]
 fn feature_size_is_the_distance_to_the_nearest_pole() {
-    // Enough poles for more than one tree.
+    // Enough queries for several parts, and poles for many levels.
     let mut random = Random(9);
     let rows: Vec<_> = (0..25_000).map(|_| random.cube()).collect();
     let poles = boxed(&rows);
     assert!(poles.len() > 1 << 15);
-    let queries: Vec<_> = (0..200).map(|_| random.cube().map(|x| 3.0 * x - 1.0)).collect();
+    let queries: Vec<_> = (0..1100).map(|_| random.cube().map(|x| 3.0 * x - 1.0)).collect();
     for _ in 0..2 {
         let found = poles.feature_size(&queries, &Job::default()).unwrap();
         for (query, found) in queries.iter().zip(found) {
@@ -399,6 +399,9 @@ fn bad_input_is_an_error_that_says_where() {
     };
     assert_eq!(status(&[[0.0; 3], [0.0, f64::NAN, 0.0]]), (Status::NonFinite, Some(1)));
     assert_eq!(status(&[[1e300, 0.0, 0.0]]), (Status::CoordinateRange, Some(0)));
+    // Distances to the smallest numbers are as good as those to 0.
+    let tiny = poles.feature_size(&[[1e-300, 0.0, 0.0], [0.0; 3]], &Job::default()).unwrap();
+    assert_eq!(tiny[0], tiny[1]);
     let t =
         Triangulation::regular(&Arc::new(points(&rows)), &vec![0.0; rows.len()], &Job::default());
     let dual = Dual::new(&Arc::new(t.unwrap()), DualOptions::default(), &Job::default()).unwrap();

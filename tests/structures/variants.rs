@@ -6,11 +6,11 @@ use medax::poles::{Omit, PolesOptions};
 use medax::{Job, NONE, Points, Poles, PowerCrust, Status};
 use std::sync::Arc;
 
-fn points(rows: &[[f64; 3]]) -> Arc<Points> {
+pub fn points(rows: &[[f64; 3]]) -> Arc<Points> {
     Arc::new(Points::new(rows, Default::default(), &Job::default()).unwrap())
 }
 
-fn crust(rows: &[[f64; 3]], poles: PolesOptions) -> PowerCrust {
+pub fn crust(rows: &[[f64; 3]], poles: PolesOptions) -> PowerCrust {
     let options = PowerCrustOptions { poles, ..Default::default() };
     PowerCrust::build(&points(rows), options, &Job::default()).unwrap()
 }
@@ -39,7 +39,7 @@ fn most(crust: &PowerCrust, off: impl Fn([f64; 3]) -> f64) -> f64 {
 }
 
 /// A torus with radii 2 and 0.7, stirred along its surface.
-fn torus() -> Vec<[f64; 3]> {
+pub fn torus() -> Vec<[f64; 3]> {
     let mut random = Random(3);
     let mut rows = Vec::new();
     for i in 0..120 {
@@ -93,7 +93,7 @@ fn a_ball_without_a_radius_vanishes_and_does_not_come_back() {
 }
 
 /// Samples of a box of half that size, none on its edges, a step apart or less.
-fn brick(half: [f64; 3], step: f64) -> Vec<[f64; 3]> {
+pub fn brick(half: [f64; 3], step: f64) -> Vec<[f64; 3]> {
     let mut random = Random(8);
     let mut rows = Vec::new();
     for k in 0..3 {
@@ -163,7 +163,7 @@ fn a_box_without_samples_on_its_edges_keeps_them() {
 }
 
 /// Samples of an ellipsoid, each moved by up to so much along each axis.
-fn ellipsoid(count: usize, noise: f64) -> Vec<[f64; 3]> {
+pub fn ellipsoid(count: usize, noise: f64) -> Vec<[f64; 3]> {
     let mut random = Random(21);
     let axes = [1.0, 0.7, 0.4];
     let row = |_| {

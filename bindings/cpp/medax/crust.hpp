@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace medax {
 
@@ -19,6 +20,12 @@ using SimplifyOptions = detail::Options<medax_simplify_options, medax_simplify_o
 using HoleOptions = detail::Options<medax_hole_options, medax_hole_options_init>;
 
 class Simplified;
+
+/// Lengths at some points, in input units.
+struct Sizes {
+    std::vector<double> feature_size;
+    std::vector<double> thickness;
+};
 
 /// A power crust with all that it was made from.
 class PowerCrust
@@ -102,6 +109,26 @@ public:
         const medax_complex *surface = nullptr, *left_out = nullptr;
         job.check(medax_power_crust_open(get(), &options, job.get(), &surface, &left_out));
         return {Complex(surface), Complex(left_out)};
+    }
+    /// The local feature size and the thickness at each point.
+    Sizes sizes_at(const std::vector<Point> &queries, const Job &job = Job::fresh()) const {
+        Sizes sizes{std::vector<double>(queries.size()), std::vector<double>(queries.size())};
+        const double *xyz = queries.empty() ? nullptr : queries.front().data();
+        job.check(medax_power_crust_sizes_at(get(), xyz, queries.size(), job.get(),
+                                             sizes.feature_size.data(), sizes.thickness.data()));
+        return sizes;
+    }
+    /// The samples as vertices with `feature_size`, `thickness` and `row`.
+    Complex samples_complex(const Job &job = Job::fresh()) const {
+        const medax_complex *complex = nullptr;
+        job.check(medax_power_crust_samples_complex(get(), job.get(), &complex));
+        return Complex(complex);
+    }
+    /// Any complex with `feature_size` and `thickness` at its vertices.
+    Complex with_sizes(const Complex &complex, const Job &job = Job::fresh()) const {
+        const medax_complex *sized = nullptr;
+        job.check(medax_power_crust_with_sizes(get(), complex.get(), job.get(), &sized));
+        return Complex(sized);
     }
     Validation validate(const Job &job = Job::fresh()) const {
         return detail::validated(medax_power_crust_validate, get(), job);

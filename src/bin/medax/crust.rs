@@ -3,6 +3,7 @@
 use crate::omit::OmitOptions;
 use crate::report::{Counts, Report};
 use crate::session::{Failure, OutputOptions, ReadOptions, Session, ValidateOptions};
+use crate::sizes::SizeOptions;
 use crate::variants::VariantOptions;
 use medax::crust::{CONFLICT_LIMIT, Label, LabelRule, PowerCrustOptions};
 use medax::{Complex, PowerCrust};
@@ -50,6 +51,8 @@ pub struct Options {
     #[command(flatten)]
     variants: VariantOptions,
     #[command(flatten)]
+    sizes: SizeOptions,
+    #[command(flatten)]
     validate: ValidateOptions,
 }
 
@@ -88,7 +91,8 @@ impl Side {
 }
 
 pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> {
-    options.output.check(&[&options.shape, &options.poles])?;
+    let [samples, sizes] = options.sizes.files();
+    options.output.check(&[&options.shape, &options.poles, &samples, &sizes])?;
     options.variants.check()?;
     let mut asked = match options.deep_degrees {
         None => PowerCrustOptions::default(),
@@ -110,6 +114,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     let soup = session.read(&options.input)?;
     let (points, input) = session.points(&options.input, &soup, &options.read)?;
     drop(soup);
+    let points_to_measure = options.sizes.read(session)?;
     let crust = PowerCrust::build(&points, asked, &session.job)?;
     let mut report = Report { command: "crust", input, ..Report::default() };
     options.read.describe(&mut report.parameters);
@@ -145,6 +150,8 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     let whole = open.as_ref().unwrap_or(crust.surface());
     let triangles = if options.triangles { Some(whole.triangulated()?) } else { None };
     let surface = triangles.as_ref().unwrap_or(whole);
+    let sized = options.sizes.of_surface(&crust, surface, session)?;
+    let surface = sized.as_ref().unwrap_or(surface);
     report.counts = Counts {
         cells: Some(crust.regular().cells().len() as u64),
         hidden: Some(crust.regular().hidden().len() as u64),
@@ -161,6 +168,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
         let poles = crust.poles_to_complex()?;
         report.outputs.push(session.deliver("poles", &poles, Some(path), &options.output)?);
     }
+    options.sizes.deliver(&crust, points_to_measure, &options.output, &mut report, session)?;
     Ok(report)
 }
 

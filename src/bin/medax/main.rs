@@ -13,6 +13,7 @@ mod progress;
 mod report;
 mod sample;
 mod session;
+mod sizes;
 mod triangulate;
 mod variants;
 
