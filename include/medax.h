@@ -300,6 +300,11 @@ typedef struct medax_file medax_file;
 typedef struct medax_incidence medax_incidence;
 
 /**
+ * The pairs of triangles of a complex that intersect.
+ */
+typedef struct medax_intersections medax_intersections;
+
+/**
  * How to run a build: threads, memory ceiling, progress, cancel.
  */
 typedef struct medax_job medax_job;
@@ -2780,21 +2785,47 @@ medax_status medax_complex_measure(const medax_complex *complex,
  *
  * \param complex The complex.
  * \param job NULL for a default job.
- * \param capacity The number of pairs for which `out_pairs` has room.
- * \param out_pairs Receives the first `capacity` pairs, of two triangles each, the less one first, ascending; NULL only if
- *        `capacity` is 0.
- * \param out_count Receives the number of pairs, which may be more than `capacity`.
- * \return `MEDAX_STATUS_OK`; `COORDINATE_RANGE` with a triangle's vertex that has a coordinate outside
- *         2^-160 to 2^200; `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ * \param out_intersections Receives the intersections, which the caller frees with #medax_intersections_free.
+ * \return `MEDAX_STATUS_OK`, also where there are none; `COORDINATE_RANGE` with a triangle's vertex that has a coordinate outside
+ *         2^-160 to 2^200; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
  *
  * O(n log n + b) with b pairs of triangles whose boxes meet. Since 0.1.
  */
 MEDAX_API
 medax_status medax_complex_self_intersections(const medax_complex *complex,
                                               const medax_job *job,
-                                              size_t capacity,
-                                              uint32_t *out_pairs,
-                                              size_t *out_count);
+                                              const medax_intersections **out_intersections);
+
+/**
+ * The pairs of triangles that intersect.
+ *
+ * \param intersections The intersections, or NULL.
+ * \return i x 2 numbers of triangles, the less one first; pairs ascend. Borrowed from `intersections`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_u32 medax_intersections_pairs(const medax_intersections *intersections);
+
+/**
+ * One more reference to intersections.
+ *
+ * \param intersections The intersections, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+const medax_intersections *medax_intersections_clone(const medax_intersections *intersections);
+
+/**
+ * Gives one reference to intersections back; the last one frees them.
+ *
+ * \param intersections The intersections; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_intersections_free(const medax_intersections *intersections);
 
 /**
  * The same complex with its faces turned so that neighbours agree and solids are inside; shells

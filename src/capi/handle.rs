@@ -80,6 +80,11 @@ pub struct medax_complex {
     pub(super) names: Vec<CString>,
 }
 
+/// The pairs of triangles of a complex that intersect.
+pub struct medax_intersections {
+    pub(super) pairs: Vec<[u32; 2]>,
+}
+
 /// A type of which C holds counted references.
 ///
 /// Any number of threads may read a handle at once.
@@ -97,6 +102,7 @@ impl Handle for medax_poles {}
 impl Handle for medax_power_crust {}
 impl Handle for medax_simplified {}
 impl Handle for medax_complex {}
+impl Handle for medax_intersections {}
 
 /// A new handle with one reference, which the caller owns.
 pub(super) fn new<T: Handle>(value: T) -> *const T {

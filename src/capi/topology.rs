@@ -5,12 +5,13 @@
 
 use super::boundary;
 use super::complex;
-use super::handle::{self, medax_complex, medax_job};
+use super::handle::{self, medax_complex, medax_intersections, medax_job};
 use super::options::{Report, SizedStruct, sized_struct};
 use super::status::medax_status;
 use super::validation::{self, medax_validation};
-use super::view::{Buffer, Out};
+use super::view::{Out, medax_view_u32};
 use crate::complex::Topology;
+use std::ptr;
 use std::sync::Arc;
 
 /// The topology of a complex. The caller sets `struct_size`, the library the rest.
@@ -163,32 +164,64 @@ pub unsafe extern "C" fn medax_complex_measure(
 ///
 /// \param complex The complex.
 /// \param job NULL for a default job.
-/// \param capacity The number of pairs for which `out_pairs` has room.
-/// \param out_pairs Receives the first `capacity` pairs, of two triangles each, the less one first, ascending; NULL only if
-///        `capacity` is 0.
-/// \param out_count Receives the number of pairs, which may be more than `capacity`.
-/// \return `MEDAX_STATUS_OK`; `COORDINATE_RANGE` with a triangle's vertex that has a coordinate outside
-///         2^-160 to 2^200; `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+/// \param out_intersections Receives the intersections, which the caller frees with #medax_intersections_free.
+/// \return `MEDAX_STATUS_OK`, also where there are none; `COORDINATE_RANGE` with a triangle's vertex that has a coordinate outside
+///         2^-160 to 2^200; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
 ///
 /// O(n log n + b) with b pairs of triangles whose boxes meet. Since 0.1.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn medax_complex_self_intersections(
     complex: *const medax_complex,
     job: *const medax_job,
-    capacity: usize,
-    out_pairs: *mut u32,
-    out_count: *mut usize,
+    out_intersections: *mut *const medax_intersections,
 ) -> medax_status {
     boundary::status(|| {
         let complex = &handle::get(complex, "complex")?.complex;
-        let count = Out::new(out_count, "out_count")?;
-        let target = Buffer::new(out_pairs.cast::<[u32; 2]>(), capacity, "out_pairs")?;
+        let out = Out::new(out_intersections, "out_intersections")?;
         let mut own = None;
         let pairs = complex.self_intersections(handle::job(job, &mut own))?;
-        count.put(pairs.len());
-        target.fill(&pairs);
+        out.put(handle::new(medax_intersections { pairs }));
         Ok(())
     })
+}
+
+/// The pairs of triangles that intersect.
+///
+/// \param intersections The intersections, or NULL.
+/// \return i x 2 numbers of triangles, the less one first; pairs ascend. Borrowed from `intersections`.
+///
+/// Constant time. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_intersections_pairs(
+    intersections: *const medax_intersections,
+) -> medax_view_u32 {
+    boundary::value(medax_view_u32::new(&[], 2), || {
+        let pairs = handle::maybe(intersections).map_or(&[][..], |i| &i.pairs);
+        medax_view_u32::new(pairs.as_flattened(), 2)
+    })
+}
+
+/// One more reference to intersections.
+///
+/// \param intersections The intersections, or NULL.
+/// \return The same pointer; the caller frees it once more.
+///
+/// Constant time. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_intersections_clone(
+    intersections: *const medax_intersections,
+) -> *const medax_intersections {
+    boundary::value(ptr::null(), || handle::clone(intersections))
+}
+
+/// Gives one reference to intersections back; the last one frees them.
+///
+/// \param intersections The intersections; NULL does nothing.
+///
+/// Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_intersections_free(intersections: *const medax_intersections) {
+    boundary::value((), || handle::free(intersections));
 }
 
 /// The same complex with its faces turned so that neighbours agree and solids are inside; shells

@@ -85,10 +85,12 @@ static void intersections(void) {
     medax_complex_parts parts;
     const medax_complex *whole = cube(0), *complex = NULL;
     const medax_job *spent = NULL;
-    uint32_t pairs[4] = {7, 7, 7, 7};
-    size_t count = 9;
-    CHECK_STATUS(OK, medax_complex_self_intersections(whole, NULL, 0, NULL, &count));
-    CHECK(count == 0);
+    const medax_intersections *found = NULL, *same = NULL;
+    medax_view_u32 pairs;
+    CHECK_STATUS(OK, medax_complex_self_intersections(whole, NULL, &found));
+    CHECK(found != NULL && medax_intersections_pairs(found).rows == 0);
+    medax_intersections_free(found);
+    found = NULL;
     medax_complex_parts_init(&parts, sizeof parts);
     parts.vertices = xyz;
     parts.vertex_count = 9;
@@ -96,23 +98,26 @@ static void intersections(void) {
     parts.face_indices = rings;
     parts.face_count = 3;
     CHECK_STATUS(OK, medax_complex_create(&parts, &complex));
-    CHECK_STATUS(OK, medax_complex_self_intersections(complex, NULL, 0, NULL, &count));
-    CHECK(count == 1);
-    count = 9;
-    CHECK_STATUS(OK, medax_complex_self_intersections(complex, NULL, 2, pairs, &count));
-    CHECK(count == 1 && pairs[0] == 0 && pairs[1] == 1 && pairs[2] == 7 && pairs[3] == 7);
-    count = 9;
-    CHECK_STATUS(NULL_ARGUMENT, medax_complex_self_intersections(NULL, NULL, 2, pairs, &count));
-    CHECK_STATUS(NULL_ARGUMENT, medax_complex_self_intersections(complex, NULL, 2, NULL, &count));
-    CHECK_STATUS(NULL_ARGUMENT, medax_complex_self_intersections(complex, NULL, 2, pairs, NULL));
-    CHECK_STATUS(INVALID_ARGUMENT,
-                 medax_complex_self_intersections(complex, NULL, SIZE_MAX, pairs, &count));
+    CHECK_STATUS(NULL_ARGUMENT, medax_complex_self_intersections(NULL, NULL, &found));
+    CHECK_STATUS(NULL_ARGUMENT, medax_complex_self_intersections(complex, NULL, NULL));
     NEED(medax_job_create(NULL, &spent) == MEDAX_STATUS_OK);
     medax_job_cancel(spent);
-    CHECK_STATUS(CANCELLED, medax_complex_self_intersections(complex, spent, 2, pairs, &count));
-    CHECK(count == 9);
+    CHECK_STATUS(CANCELLED, medax_complex_self_intersections(complex, spent, &found));
+    CHECK(found == NULL);
     medax_job_free(spent);
+    CHECK_STATUS(OK, medax_complex_self_intersections(complex, NULL, &found));
     medax_complex_free(complex);
+    /* They outlive the complex, and their first reference. */
+    same = medax_intersections_clone(found);
+    CHECK(same == found);
+    medax_intersections_free(found);
+    pairs = medax_intersections_pairs(same);
+    NEED(pairs.rows == 1 && pairs.cols == 2);
+    CHECK(pairs.data[0] == 0 && pairs.data[1] == 1);
+    medax_intersections_free(same);
+    CHECK(medax_intersections_pairs(NULL).rows == 0 && medax_intersections_pairs(NULL).cols == 2);
+    CHECK(medax_intersections_clone(NULL) == NULL);
+    medax_intersections_free(NULL);
     medax_complex_free(whole);
 }
 

@@ -192,6 +192,28 @@ void complexes() {
           == MEDAX_STATUS_INVALID_ARGUMENT);
 }
 
+void intersections() {
+    // Two triangles that cross; the third is on its own.
+    const double xyz[] = {0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, -1, 1, 1, 1, 2, 1, 1, 9, 9, 9, 9, 8, 9, 8, 9, 9};
+    const std::uint32_t offsets[] = {0, 3, 6, 9}, rings[] = {6, 7, 8, 0, 1, 2, 3, 4, 5};
+    medax::ComplexParts parts;
+    parts.vertices = xyz;
+    parts.vertex_count = 9;
+    parts.face_offsets = offsets;
+    parts.face_indices = rings;
+    parts.face_count = 3;
+    const medax::Job job;
+    const medax::Intersections found = medax::Complex::from(parts).self_intersections(job);
+    const medax::View<std::uint32_t> pairs = found.pairs();
+    CHECK(pairs.rows() == 1 && pairs.cols() == 2 && pairs[0][0] == 1 && pairs[0][1] == 2);
+    // Found once.
+    CHECK(job.times().size() == 1);
+    const medax::Intersections same = found;
+    CHECK(same.get() == found.get() && same.pairs().data() == pairs.data());
+    parts.face_count = 1;
+    CHECK(medax::Complex::from(parts).self_intersections().pairs().empty());
+}
+
 void crusts() {
     // The corners of a grid on the surface of a cube.
     std::vector<medax::Point> grid;
@@ -324,6 +346,7 @@ int main() {
     triangulations();
     jobs();
     complexes();
+    intersections();
     crusts();
     shapes();
     threads();

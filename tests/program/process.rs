@@ -26,6 +26,18 @@ fn quiet_is_quiet_and_plain_is_a_table() {
     assert!(serde_json::from_slice::<Value>(&both.stdout).is_ok());
     let warned = place.json("sample box -o loud.xyz");
     assert_eq!(warned["warnings"].as_array().unwrap().len(), 1);
+    // The values stand below each other, however long the words before them.
+    place.json("crust quiet.xyz -o mesh.ply");
+    for arguments in ["info mesh.ply", "info quiet.xyz", "sample box"] {
+        let table = place.run(arguments);
+        let table = text(&table.stdout);
+        let column = |line: &str| {
+            let blank = line.find(' ').unwrap();
+            blank + line[blank..].find(|c| c != ' ').unwrap()
+        };
+        let columns: Vec<usize> = table.lines().map(column).collect();
+        assert!(columns.iter().all(|&c| c == columns[0]), "{table}");
+    }
     let crust = place.run("crust quiet.xyz -o crust.off --shape shape.off --validate");
     let table = text(&crust.stdout);
     for word in ["closed", "genus 0", "poles", "cells", "crust.off", "shape.off", "checks hold"] {

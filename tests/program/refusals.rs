@@ -1,7 +1,8 @@
 //! Bad files and bad command lines: what is said, the exit code, and what stays as it was.
 
 use crate::{Place, text};
-use medax::sample::Shape;
+use medax::Job;
+use medax::sample::{SampleOptions, Shape, sample};
 
 #[test]
 fn bad_files_are_told_with_the_place() {
@@ -30,6 +31,43 @@ fn bad_files_are_told_with_the_place() {
     assert_eq!(place.failure("triangulate huge.xyz", 1)["status"], "COORDINATE_RANGE");
     place.write("sample.pdf", "what is this");
     assert_eq!(place.failure("info sample.pdf", 1)["status"], "UNSUPPORTED");
+}
+
+/// The authors' program makes an empty surface of a sample with one NaN and exits with 0.
+#[test]
+fn rows_that_are_not_finite_are_named_or_left_out_on_demand() {
+    let place = Place::new();
+    let samples = sample(Shape::Torus, SampleOptions::default(), &Job::default()).unwrap();
+    let line = |p: &[f64; 3]| format!("{:?} {:?} {:?}\n", p[0], p[1], p[2]);
+    let clean: Vec<String> = samples.points().iter().map(line).collect();
+    let mut dirty = clean.clone();
+    for (row, words) in [(40, "0.5 inf 0\n"), (17, "nan 2 2\n"), (900, "1 0 -inf\n")] {
+        dirty.insert(row, words.to_string());
+    }
+    let header = format!("OFF\n{} 0 0\n", dirty.len());
+    for (name, rows) in [("dirty.xyz", dirty.concat()), ("dirty.off", header + &dirty.concat())] {
+        place.write(name, rows);
+        let error = place.failure(&format!("crust {name} -o crust.ply"), 1);
+        assert_eq!(error["status"], "NON_FINITE", "{error}");
+        assert_eq!((&error["kind"], &error["index"]), (&"row".into(), &17.into()), "{error}");
+        assert_eq!(error["path"], name);
+        let plain = place.run(&format!("crust {name} -o crust.ply"));
+        let complaint = text(&plain.stderr);
+        assert!(complaint.contains(&format!("{name}: row 17: ")), "{complaint}");
+    }
+    assert_eq!(place.names(), ["dirty.off", "dirty.xyz"]);
+    place.write("clean.xyz", clean.concat());
+    let expected = place.json("crust clean.xyz -o clean.ply");
+    let report = place.json("crust dirty.xyz -o crust.ply --skip-non-finite");
+    assert_eq!(
+        (&report["input"]["skipped"], &report["input"]["duplicates"]),
+        (&3.into(), &0.into())
+    );
+    assert_eq!(report["input"]["points"], clean.len());
+    assert_eq!(report["outputs"][0]["topology"], expected["outputs"][0]["topology"]);
+    assert_eq!(place.read("crust.ply"), place.read("clean.ply"));
+    let table = place.run("crust dirty.off --skip-non-finite");
+    assert!(text(&table.stdout).contains("3 skipped rows"), "{}", text(&table.stdout));
 }
 
 #[test]

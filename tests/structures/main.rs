@@ -1,5 +1,6 @@
 //! The library's structures, from points to power crusts, over sets that break such programs.
 
+mod authors_failures;
 mod crust;
 mod dual;
 mod generated;

@@ -6,11 +6,9 @@
 
 #include <medax/points.hpp>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace medax {
 
@@ -36,6 +34,19 @@ using Topology = medax_topology;
 using Comparison = medax_comparison;
 using CompareOptions = detail::Options<medax_compare_options, medax_compare_options_init>;
 using DecimateOptions = detail::Options<medax_decimate_options, medax_decimate_options_init>;
+
+/// The pairs of triangles of a complex that intersect.
+class Intersections
+    : public detail::Handle<medax_intersections, medax_intersections_clone, medax_intersections_free> {
+public:
+    /// Takes over a reference that a function of medax.h gave.
+    explicit Intersections(const medax_intersections *owned) noexcept : Handle(owned) {}
+
+    /// Two triangles a row, the less one first; rows ascend.
+    View<std::uint32_t> pairs() const noexcept {
+        return detail::view(medax_intersections_pairs(get()));
+    }
+};
 
 /// Vertices, polygons, loose edges, volume cells and named attributes.
 class Complex : public detail::Handle<medax_complex, medax_complex_clone, medax_complex_free> {
@@ -89,14 +100,10 @@ public:
         job.check(medax_complex_measure(get(), job.get(), &measure.area, &measure.volume));
         return measure;
     }
-    /// The pairs of triangles that intersect, less one first, ascending.
-    std::vector<std::array<std::uint32_t, 2>> self_intersections(const Job &job = Job::fresh()) const {
-        std::size_t count = 0;
-        job.check(medax_complex_self_intersections(get(), job.get(), 0, nullptr, &count));
-        std::vector<std::array<std::uint32_t, 2>> pairs(count);
-        if (count != 0)
-            job.check(medax_complex_self_intersections(get(), job.get(), count, pairs[0].data(), &count));
-        return pairs;
+    Intersections self_intersections(const Job &job = Job::fresh()) const {
+        const medax_intersections *found = nullptr;
+        job.check(medax_complex_self_intersections(get(), job.get(), &found));
+        return Intersections(found);
     }
     Complex oriented(const Job &job = Job::fresh()) const {
         const medax_complex *oriented = nullptr;

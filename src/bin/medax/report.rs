@@ -280,8 +280,10 @@ impl Report {
             rows.push(("memory", format!("{} MiB", bytes.div_ceil(1 << 20))));
         }
         let mut text = String::new();
-        for (name, value) in rows.iter().filter(|(_, value)| !value.is_empty()) {
-            let _ = writeln!(text, "{name:<12} {value}");
+        rows.retain(|(_, value)| !value.is_empty());
+        let width = rows.iter().map(|(name, _)| name.len()).fold(12, usize::max);
+        for (name, value) in rows {
+            let _ = writeln!(text, "{name:<width$} {value}");
         }
         text
     }
