@@ -7,7 +7,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// The chapters of the header in order: the files of `src/capi`.
-const CHAPTERS: [&str; 20] = [
+const CHAPTERS: [&str; 21] = [
     "status",
     "handle",
     "view",
@@ -25,6 +25,7 @@ const CHAPTERS: [&str; 20] = [
     "topology",
     "compare",
     "decimate",
+    "flatten",
     "file",
     "io",
     "sample",

@@ -3,7 +3,7 @@
 use super::balls::{self, Ball};
 use super::label::{Label, unbounded_poles};
 use super::surface::Shards;
-use super::{Balls, Parts, PowerCrust};
+use super::{Balls, PowerCrust};
 use crate::error::{Error, Result, Status};
 use crate::job::{Job, Room, Run, Stage};
 use crate::predicates::WEIGHT_MIN;
@@ -58,7 +58,7 @@ impl PowerCrust {
             forced += usize::from(*label == Label::Inner);
             *label = Label::Outer;
         }
-        let parts = Parts {
+        PowerCrust {
             options: self.options,
             poles: self.poles.clone(),
             balls: Balls::Changed(weights),
@@ -67,8 +67,11 @@ impl PowerCrust {
             labels,
             unreached: self.unreached,
             forced,
-        };
-        PowerCrust::assemble(parts, run)
+            surface: Arc::default(),
+            inner_shape: Arc::default(),
+            outer_shape: Arc::default(),
+        }
+        .extracted(run)
     }
 
     /// The weight of a pole's ball, which is its squared radius; `None` if it was left out.

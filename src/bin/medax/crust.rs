@@ -1,5 +1,6 @@
 //! `medax crust`: the power crust, the power shape and the labelled poles.
 
+use crate::flatten::FlattenArguments;
 use crate::omit::OmitOptions;
 use crate::report::{Counts, Report};
 use crate::session::{Failure, OutputOptions, ReadOptions, Session, ValidateOptions};
@@ -28,7 +29,7 @@ pub struct Options {
     /// The side of the surface whose power shape is written
     #[arg(long, value_enum, default_value_t = Side::Inner)]
     side: Side,
-    /// Where to write the poles, with radius and label (0 outer, 1 inner)
+    /// Where to write the poles, with radius, object angle and label (0 outer, 1 inner)
     #[arg(long, value_name = "FILE")]
     poles: Option<PathBuf>,
     /// Balls of neighbouring poles intersect deeply, and are of one side, where the angle between
@@ -45,6 +46,8 @@ pub struct Options {
     omit: OmitOptions,
     #[command(flatten)]
     variants: VariantOptions,
+    #[command(flatten)]
+    flatten: FlattenArguments,
     #[command(flatten)]
     validate: ValidateOptions,
 }
@@ -69,6 +72,7 @@ impl Side {
 pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> {
     options.output.check(&[&options.shape, &options.poles])?;
     options.variants.check()?;
+    options.flatten.check()?;
     let mut asked = match options.deep_degrees {
         None => PowerCrustOptions::default(),
         Some(degrees) if (90.0..=180.0).contains(&degrees) => {
@@ -105,6 +109,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     let crust = options.variants.apply(crust, &mut report, session)?;
     options.validate.report(&mut report, || crust.validate(&session.job))?;
     describe(&crust, &mut report);
+    options.flatten.describe(&crust, &mut report);
     if crust.surface().faces().is_empty() {
         session.warn(
             "no pole is inner, so the surface is empty: the sample is too sparse for its shape",
@@ -125,6 +130,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     report.outputs.push(session.deliver("surface", surface, path, &options.output)?);
     if let Some(path) = &options.shape {
         let (name, shape) = shape(&crust, options.side)?;
+        let shape = options.flatten.apply(shape, &mut report, session)?;
         report.outputs.push(session.deliver(name, &shape, Some(path), &options.output)?);
     }
     if let Some(path) = &options.poles {
