@@ -295,6 +295,11 @@ typedef struct medax_dual medax_dual;
 typedef struct medax_file medax_file;
 
 /**
+ * A complex without its flat tetrahedra, and what became of them.
+ */
+typedef struct medax_flattened medax_flattened;
+
+/**
  * The cells of each vertex of a triangulation, and its edges.
  */
 typedef struct medax_incidence medax_incidence;
@@ -1651,6 +1656,17 @@ MEDAX_API
 medax_view_rows medax_poles_samples_on_balls(const medax_poles *poles);
 
 /**
+ * The object angle of each pole: the largest angle at its centre between two samples on its ball.
+ *
+ * \param poles The poles, or NULL.
+ * \return p x 1, in [0, pi] radians; 0 where fewer than two samples are on the ball. Borrowed from `poles`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_f64 medax_poles_object_angles(const medax_poles *poles);
+
+/**
  * The lambda by which poles were left out.
  *
  * \param poles The poles, or NULL.
@@ -1694,7 +1710,7 @@ medax_status medax_poles_feature_size(const medax_poles *poles,
                                       double *out_distances);
 
 /**
- * The poles as vertices with the attribute `radius`, in their order, for writing.
+ * The poles as vertices with the attributes `radius` and `object_angle`, in their order, for writing.
  *
  * \param poles The poles.
  * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
@@ -1840,7 +1856,7 @@ typedef struct {
      * 1 to take the power diagram of balls whose centres are rounded to a grid, which is faster; 0, the
      * default, not to. The step of the grid is 2^-36 of the least power of two that the longest side of the
      * samples' box does not exceed. #medax_power_crust_regular and the shapes then have the rounded balls,
-     * #medax_power_crust_poles those that were chosen.
+     * #medax_power_crust_poles those that were chosen; offsets and simplified crusts are made of these.
      */
     uint32_t round_poles;
     /**
@@ -1923,8 +1939,11 @@ medax_status medax_power_crust_surface(const medax_power_crust *crust,
                                        const medax_complex **out_surface);
 
 /**
- * The power shape of one side: its poles, with the attributes `radius` and `pole`, and the faces,
- * edges and cells of #medax_power_crust_regular between them.
+ * The power shape of one side: its poles, and the faces, edges and cells of #medax_power_crust_regular between them.
+ *
+ * Vertices have the attributes `radius`, `pole`, `label` (a #medax_label) and `object_angle` (see #medax_poles_object_angles). Cells are
+ * tetrahedra, most of them flat, and have `flatness`: the least altitude relative to the longest edge. #medax_complex_flatten
+ * collapses flat ones.
  *
  * \param crust The power crust.
  * \param label A #medax_label: which side.
@@ -1977,7 +1996,7 @@ medax_status medax_power_crust_regular(const medax_power_crust *crust,
 MEDAX_API medax_view_u32 medax_power_crust_labels(const medax_power_crust *crust);
 
 /**
- * The poles as vertices with the attributes `radius` and `label`, in their order, for writing.
+ * The poles as vertices with the attributes `radius`, `object_angle` and `label`, in their order, for writing.
  *
  * \param crust The power crust.
  * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
@@ -1990,8 +2009,7 @@ medax_status medax_power_crust_poles_complex(const medax_power_crust *crust,
                                              const medax_complex **out_complex);
 
 /**
- * The power shapes of both sides in one complex, the inner one first. Vertices have the
- * attributes `radius`, `pole` and `label`; the sides share none.
+ * The power shapes of both sides in one complex, the inner one first, with their attributes; the sides share no vertex.
  *
  * \param crust The power crust.
  * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
@@ -3016,7 +3034,116 @@ medax_status medax_complex_decimate(const medax_complex *complex,
                                     const medax_job *job,
                                     const medax_complex **out_decimated);
 
-/* ---- 19. File contents ------------------------------------------------------------------------
+/* ---- 19. Flattening ---------------------------------------------------------------------------
+ *
+ * Power shapes have tetrahedra, most of them flat: these collapse to their triangles, and the homotopy type stays.
+ */
+
+/**
+ * Which tetrahedra are flat.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * Those whose least altitude is at most this share of their longest edge, 0.1 by default: of a regular tetrahedron it is 0.816.
+     * Infinity stands for all.
+     */
+    double flatness;
+} medax_flatten_options;
+
+/**
+ * Sets flatten options to their defaults.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_flatten_options_init(medax_flatten_options *options,
+                                        size_t struct_size);
+
+/**
+ * Collapses flat tetrahedra to their triangles, without changing the homotopy type.
+ *
+ * A tetrahedron goes together with a triangle that bounds no other cell; its other three triangles stay, no edge and no vertex goes.
+ * That is done as long as there is a flat tetrahedron with such a triangle. At each step no point that goes is farther from what stays than
+ * the altitude over that triangle; the least altitude goes first. Attributes stay.
+ *
+ * \param complex The complex, such as a power shape.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_flattened Receives the result, which the caller frees with #medax_flattened_free.
+ * \return `MEDAX_STATUS_OK`, also where flat tetrahedra are left; `INVALID_ARGUMENT` for a flatness that is negative or NaN;
+ *         `NULL_ARGUMENT`, `LIMIT_EXCEEDED`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(n log n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_complex_flatten(const medax_complex *complex,
+                                   const medax_flatten_options *options,
+                                   const medax_job *job,
+                                   const medax_flattened **out_flattened);
+
+/**
+ * The complex that is left.
+ *
+ * \param flattened The result.
+ * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_flattened_complex(const medax_flattened *flattened,
+                                     const medax_complex **out_complex);
+
+/**
+ * The tetrahedra that went, in order.
+ *
+ * \param flattened The result, or NULL.
+ * \return Rows of two: a tetrahedron's number among the cells of the given complex, and its vertex opposite the triangle that went with it.
+ *         Borrowed from `flattened`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_u32 medax_flattened_collapses(const medax_flattened *flattened);
+
+/**
+ * The number of flat tetrahedra that could not go, as each of their triangles bounds another cell.
+ *
+ * \param flattened The result; NULL has none.
+ * \return The number of tetrahedra.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API size_t medax_flattened_left_count(const medax_flattened *flattened);
+
+/**
+ * One more reference to the result of a flattening.
+ *
+ * \param flattened The result, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_flattened *medax_flattened_clone(const medax_flattened *flattened);
+
+/**
+ * Gives one reference to the result of a flattening back; the last one frees it.
+ *
+ * \param flattened The result; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_flattened_free(const medax_flattened *flattened);
+
+/* ---- 20. File contents ------------------------------------------------------------------------
  *
  * What a file holds, before points or a complex are made of it. Reading trusts nothing, and an error
  * names the line of a text or the byte of a binary file. The ending of a path names the format:
@@ -3192,7 +3319,7 @@ MEDAX_API const medax_file *medax_file_clone(const medax_file *file);
  */
 MEDAX_API void medax_file_free(const medax_file *file);
 
-/* ---- 20. Reading and writing ------------------------------------------------------------------
+/* ---- 21. Reading and writing ------------------------------------------------------------------
  *
  * Written are PLY, OFF, OBJ, STL, XYZ, PTS, TXT, CSV, MA and VTU, by the ending of the path, to a
  * file beside the given name, which is moved into place when it is complete: after an error, a file
@@ -3343,7 +3470,7 @@ MEDAX_API const medax_warnings *medax_warnings_clone(const medax_warnings *warni
  */
 MEDAX_API void medax_warnings_free(const medax_warnings *warnings);
 
-/* ---- 21. Samples ------------------------------------------------------------------------------
+/* ---- 22. Samples ------------------------------------------------------------------------------
  *
  * Points of the surfaces of built-in shapes and of meshes, evenly spread: no two are nearer than
  * the spacing. The same options give the same points on every machine.

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// The chapters of the header in order: the files of `src/capi`.
-const CHAPTERS: [&str; 21] = [
+const CHAPTERS: [&str; 22] = [
     "status",
     "handle",
     "view",
@@ -26,6 +26,7 @@ const CHAPTERS: [&str; 21] = [
     "topology",
     "compare",
     "decimate",
+    "flatten",
     "file",
     "io",
     "sample",

@@ -94,7 +94,7 @@ pub struct medax_power_crust_options {
     /// 1 to take the power diagram of balls whose centres are rounded to a grid, which is faster; 0, the
     /// default, not to. The step of the grid is 2^-36 of the least power of two that the longest side of the
     /// samples' box does not exceed. #medax_power_crust_regular and the shapes then have the rounded balls,
-    /// #medax_power_crust_poles those that were chosen.
+    /// #medax_power_crust_poles those that were chosen; offsets and simplified crusts are made of these.
     pub round_poles: u32,
     /// 1 to keep the shards of every sample, the vertices of the power diagram that are the sample itself but for the rounding of
     /// the balls; 0, the default, to make them one vertex, exactly where the sample is.
@@ -213,8 +213,11 @@ pub unsafe extern "C" fn medax_power_crust_surface(
     })
 }
 
-/// The power shape of one side: its poles, with the attributes `radius` and `pole`, and the faces,
-/// edges and cells of #medax_power_crust_regular between them.
+/// The power shape of one side: its poles, and the faces, edges and cells of #medax_power_crust_regular between them.
+///
+/// Vertices have the attributes `radius`, `pole`, `label` (a #medax_label) and `object_angle` (see #medax_poles_object_angles). Cells are
+/// tetrahedra, most of them flat, and have `flatness`: the least altitude relative to the longest edge. #medax_complex_flatten
+/// collapses flat ones.
 ///
 /// \param crust The power crust.
 /// \param label A #medax_label: which side.
@@ -305,7 +308,7 @@ pub unsafe extern "C" fn medax_power_crust_labels(
     })
 }
 
-/// The poles as vertices with the attributes `radius` and `label`, in their order, for writing.
+/// The poles as vertices with the attributes `radius`, `object_angle` and `label`, in their order, for writing.
 ///
 /// \param crust The power crust.
 /// \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
@@ -325,8 +328,7 @@ pub unsafe extern "C" fn medax_power_crust_poles_complex(
     })
 }
 
-/// The power shapes of both sides in one complex, the inner one first. Vertices have the
-/// attributes `radius`, `pole` and `label`; the sides share none.
+/// The power shapes of both sides in one complex, the inner one first, with their attributes; the sides share no vertex.
 ///
 /// \param crust The power crust.
 /// \param out_complex Receives the complex, which the caller frees with #medax_complex_free.

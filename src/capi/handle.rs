@@ -85,6 +85,13 @@ pub struct medax_intersections {
     pub(super) pairs: Vec<[u32; 2]>,
 }
 
+/// A complex without its flat tetrahedra, and what became of them.
+pub struct medax_flattened {
+    pub(super) complex: Arc<crate::Complex>,
+    pub(super) collapses: Vec<[u32; 2]>,
+    pub(super) left: usize,
+}
+
 /// A type of which C holds counted references.
 ///
 /// Any number of threads may read a handle at once.
@@ -103,6 +110,7 @@ impl Handle for medax_power_crust {}
 impl Handle for medax_simplified {}
 impl Handle for medax_complex {}
 impl Handle for medax_intersections {}
+impl Handle for medax_flattened {}
 
 /// A new handle with one reference, which the caller owns.
 pub(super) fn new<T: Handle>(value: T) -> *const T {

@@ -22,6 +22,7 @@ mod crust;
 mod decimate;
 mod dual;
 mod file;
+mod flatten;
 mod incidence;
 mod io;
 mod job;

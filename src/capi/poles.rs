@@ -269,6 +269,17 @@ pub unsafe extern "C" fn medax_poles_samples_on_balls(
     })
 }
 
+/// The object angle of each pole: the largest angle at its centre between two samples on its ball.
+///
+/// \param poles The poles, or NULL.
+/// \return p x 1, in [0, pi] radians; 0 where fewer than two samples are on the ball. Borrowed from `poles`.
+///
+/// Constant time. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_poles_object_angles(poles: *const medax_poles) -> medax_view_f64 {
+    floats(poles, 1, Poles::object_angles)
+}
+
 /// The lambda by which poles were left out.
 ///
 /// \param poles The poles, or NULL.
@@ -343,7 +354,7 @@ pub unsafe extern "C" fn medax_poles_feature_size(
     })
 }
 
-/// The poles as vertices with the attribute `radius`, in their order, for writing.
+/// The poles as vertices with the attributes `radius` and `object_angle`, in their order, for writing.
 ///
 /// \param poles The poles.
 /// \param out_complex Receives the complex, which the caller frees with #medax_complex_free.

@@ -118,6 +118,8 @@ pub(super) struct Skeleton {
     pub(super) listed: usize,
     /// The face of each row of the list.
     pub(super) face_of_row: Vec<u32>,
+    /// The cell of each row of the list.
+    pub(super) cell_of_row: Vec<u32>,
     rings: Rings,
     /// For each side its face and its edge.
     pub(super) face_of_side: Vec<u32>,
@@ -154,7 +156,7 @@ impl Skeleton {
                 }
             }
         }
-        let (facets_of_cell, cells_of_face) =
+        let (facets_of_cell, cells_of_face, cell_of_row) =
             distinct_cells(&facets_of_cell, &face_of_ring, faces.len(), run)?;
         drop((rings, first));
         run.tick(2, 4)?;
@@ -174,6 +176,7 @@ impl Skeleton {
             edges,
             listed,
             face_of_row: face_of_ring,
+            cell_of_row,
             rings: faces,
             face_of_side,
             edge_of_side,
@@ -326,13 +329,13 @@ fn canonical_ring(ring: &[u32]) -> impl Iterator<Item = u32> {
     read(best.0, best.1)
 }
 
-/// The facets of each distinct cell, ascending, and the cells of each face.
+/// The facets of each distinct cell, ascending, the cells of each face, and the cell of each row.
 fn distinct_cells(
     rings_of_cell: &Rings,
     face_of_ring: &[u32],
     faces: usize,
     run: &Run<'_>,
-) -> Result<(Rings, Groups)> {
+) -> Result<(Rings, Groups, Vec<u32>)> {
     let mut all = Rings::with_capacity(rings_of_cell.len(), rings_of_cell.vertices.len(), run)?;
     let mut facets: Vec<u32> = Vec::new();
     for c in 0..rings_of_cell.len() {
@@ -347,14 +350,20 @@ fn distinct_cells(
     let first = first_equal(&all, faces, run)?;
     let mut cells = Rings::with_capacity(all.len(), all.vertices.len(), run)?;
     let mut owner: Vec<u32> = run.try_vec(all.vertices.len())?;
-    for c in run.watch((0..all.len()).filter(|&c| first[c] as usize == c)) {
+    let mut cell_of_row: Vec<u32> = run.try_vec(all.len())?;
+    for c in run.watch(0..all.len()) {
         let c = c?;
+        if (first[c] as usize) < c {
+            cell_of_row.push(cell_of_row[first[c] as usize]);
+            continue;
+        }
+        cell_of_row.push(cells.len() as u32);
         owner.extend(std::iter::repeat_n(cells.len() as u32, all.get(c).len()));
         cells.push(all.get(c).iter().copied());
     }
     let mut groups = Groups::new(faces, cells.vertices.len(), |i| cells.vertices[i], run)?;
     groups.replace(|i| owner[i as usize]);
-    Ok((cells, groups))
+    Ok((cells, groups, cell_of_row))
 }
 
 /// The distinct edges, ascending, and the edge of each side.

@@ -73,13 +73,18 @@ impl Complex {
         job.run(&[(Stage::Topology, 1.0)], |run| self.topology_in(run))
     }
 
-    /// [`Complex::topology`] as a stage of a larger operation.
-    pub(crate) fn topology_in(&self, run: &Run<'_>) -> Result<Topology> {
-        run.enter(Stage::Topology)?;
+    /// What a skeleton takes while it is made and used.
+    pub(super) fn skeleton_bytes(&self) -> u64 {
         // Per side of a face or facet: rings twice over, numbering, incidences, sets. Measured.
         let facets: usize = self.cells.iter().map(|cell| 4 * cell.len()).sum();
         let sides = self.faces.indices().len() + facets + self.edges.len();
-        let _charge = run.charge(48 * sides as u64 + 16 * self.vertices.len() as u64)?;
+        48 * sides as u64 + 16 * self.vertices.len() as u64
+    }
+
+    /// [`Complex::topology`] as a stage of a larger operation.
+    pub(crate) fn topology_in(&self, run: &Run<'_>) -> Result<Topology> {
+        run.enter(Stage::Topology)?;
+        let _charge = run.charge(self.skeleton_bytes())?;
         let skeleton = Skeleton::new(self, run)?;
         let surface = Surface::new(&skeleton, run)?;
         let (components, isolated) = components(&skeleton, run)?;

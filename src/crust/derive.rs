@@ -3,11 +3,11 @@
 use super::balls::{self, Ball};
 use super::label::{Label, LabelAccount, force, unbounded_poles};
 use super::surface::Shards;
-use super::{Balls, Parts, PowerCrust};
+use super::{Balls, PowerCrust};
 use crate::error::{Error, Result, Status};
 use crate::job::{Job, Room, Run, Stage};
 use crate::predicates::WEIGHT_MIN;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 impl PowerCrust {
     /// An approximate offset surface: outside the solid for a positive distance, inside for a negative one (Amenta, Choi,
@@ -53,7 +53,7 @@ impl PowerCrust {
         run.enter(Stage::Extract)?;
         let mut labels = room.collect(self.labels.iter().copied())?;
         let forced = force(&unbounded_poles(&regular, &mut room, run)?, &mut labels);
-        let parts = Parts {
+        PowerCrust {
             options: self.options,
             poles: self.poles.clone(),
             balls: Balls::Changed(weights),
@@ -61,8 +61,12 @@ impl PowerCrust {
             regular,
             labels,
             account: LabelAccount { forced, ..self.account },
-        };
-        PowerCrust::assemble(parts, run)
+            surface: Arc::default(),
+            inner_shape: Arc::default(),
+            outer_shape: Arc::default(),
+            size_index: OnceLock::new(),
+        }
+        .extracted(run)
     }
 
     /// The weight of a pole's ball, which is its squared radius; `None` if it was left out.

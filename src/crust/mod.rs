@@ -53,7 +53,8 @@ pub struct PowerCrustOptions {
     /// The step of the grid is 2^-36 of the least power of two that the longest side of the samples' box does
     /// not exceed, but 2^-160 at least. Each ball then reaches to its own sample, the least whose pole it is: its weight
     /// is the squared distance from there to the rounded centre, rounded to 53 bits and to the square of the step.
-    /// Poles that come to lie at the same place are one vertex of the triangulation, and the heaviest counts.
+    /// Poles that come to lie at the same place are one vertex of the triangulation, and the heaviest counts. Offsets and
+    /// simplified crusts are made of the exact balls.
     pub round_poles: bool,
     /// Keep the shards of every sample, the vertices of the power diagram that are the sample itself but for the rounding of the
     /// balls; off by default: the surface then passes through the samples exactly, with one vertex for each.
@@ -106,17 +107,6 @@ enum Balls {
     Poles,
     /// Of each pole the centre, with another weight, or none.
     Changed(Vec<Option<f64>>),
-}
-
-/// What a power crust is put together from.
-struct Parts {
-    options: PowerCrustOptions,
-    poles: Arc<Poles>,
-    balls: Balls,
-    shards: Shards,
-    regular: Arc<Triangulation>,
-    labels: Vec<Label>,
-    account: LabelAccount,
 }
 
 impl PowerCrust {
@@ -180,32 +170,34 @@ impl PowerCrust {
         run.enter(Stage::Extract)?;
         let shards = if options.keep_shards { Shards::Keep } else { Shards::Merge };
         let label::Labelling { labels, account } = labelling;
-        let balls = Balls::Poles;
-        let parts = Parts { options, poles, balls, shards, regular, labels, account };
-        PowerCrust::assemble(parts, run)
-    }
-
-    /// The surface and the shapes of labelled balls.
-    fn assemble(parts: Parts, run: &Run<'_>) -> Result<Self> {
-        let Parts { options, poles, balls, shards, regular, labels, account } = parts;
-        let mut room = Room::new(run);
-        let division = Division::new(&regular, &labels, &mut room, run)?;
-        let surface = surface::extract(&poles, &regular, &division, shards, run)?;
-        room.keep(surface.bytes())?;
-        let [outer_shape, inner_shape] = shape::extract(&regular, &division, run)?;
-        Ok(PowerCrust {
+        PowerCrust {
             options,
             poles,
-            balls,
+            balls: Balls::Poles,
             shards,
             regular,
             labels,
             account,
-            surface: Arc::new(surface),
-            inner_shape: Arc::new(inner_shape),
-            outer_shape: Arc::new(outer_shape),
+            surface: Arc::default(),
+            inner_shape: Arc::default(),
+            outer_shape: Arc::default(),
             size_index: OnceLock::new(),
-        })
+        }
+        .extracted(run)
+    }
+
+    /// The same with the surface and the shapes of its labelled balls, which were empty.
+    fn extracted(mut self, run: &Run<'_>) -> Result<Self> {
+        let (poles, regular) = (&self.poles, &self.regular);
+        let mut room = Room::new(run);
+        let division = Division::new(regular, &self.labels, &mut room, run)?;
+        let surface = surface::extract(poles, regular, &division, self.shards, run)?;
+        room.keep(surface.bytes())?;
+        let [outer_shape, inner_shape] = shape::extract(poles, regular, &division, run)?;
+        self.surface = Arc::new(surface);
+        self.inner_shape = Arc::new(inner_shape);
+        self.outer_shape = Arc::new(outer_shape);
+        Ok(self)
     }
 
     /// What was asked for.
@@ -256,8 +248,11 @@ impl PowerCrust {
         &self.surface
     }
 
-    /// The inner power shape: poles inside the solid with `radius` and `pole`, and the faces of the
-    /// regular triangulation between them. Centres and radii are those of the regular triangulation.
+    /// The inner power shape: poles inside the solid, and the faces of the regular triangulation between them.
+    ///
+    /// Vertices carry `radius`, `pole`, `label` (0 outer, 1 inner) and `object_angle` ([`Poles::object_angles`]), cells
+    /// `flatness`: the least altitude relative to the longest edge. Centres and radii are those of the regular triangulation. Tetrahedra, most
+    /// of them flat, are volume cells; [`Complex::flatten`] collapses these.
     pub fn inner_shape(&self) -> &Arc<Complex> {
         &self.inner_shape
     }

@@ -3,10 +3,11 @@
 
 use super::division::{Division, Edge, pieces};
 use super::label::Label;
-use crate::complex::{Attribute, CellType, Complex, ComplexParts, Element, Rows, Values};
+use crate::complex::{Attribute, CellType, Complex, ComplexParts, Element, Rows, Values, flatness};
 use crate::error::Result;
 use crate::index::NONE;
 use crate::job::{PART, Room, Run, parts};
+use crate::poles::Poles;
 use crate::triangulation::{Triangulation, Turn};
 use std::ops::Range;
 
@@ -14,8 +15,10 @@ use std::ops::Range;
 ///
 /// The vertices of each are that side's poles, but for those hidden in the regular triangulation;
 /// faces are all triangles between them, edges those that no such triangle has, cells the
-/// tetrahedra. Vertices carry `radius`, the root of their weight, and `pole`.
+/// tetrahedra. Vertices carry `radius`, the root of their weight, `pole`, `label` and the pole's `object_angle`, cells
+/// their `flatness`.
 pub(super) fn extract(
+    poles: &Poles,
     regular: &Triangulation,
     division: &Division,
     run: &Run<'_>,
@@ -58,7 +61,10 @@ pub(super) fn extract(
         let of_side = &vertices[side as usize];
         let poles_of = room.collect(of_side.iter().map(|&v| pole_of_vertex[v as usize]))?;
         let radii = room.collect(of_side.iter().map(|&v| regular.weights()[v as usize].sqrt()))?;
+        let angles = room.collect(poles_of.iter().map(|&p| poles.object_angles()[p as usize]))?;
+        let labels = room.filled(of_side.len(), side as u32)?;
         let Facets { faces, cells } = facets(regular, division, side, &number, &mut room, run)?;
+        let flat = flatness_of(&cells, of_side, regular, &mut room, run)?;
         let loose = loose.iter().map(|(edges, _)| &edges[side as usize][..]);
         let parts = ComplexParts {
             vertices: room.collect(of_side.iter().map(|&v| regular.coords()[v as usize]))?,
@@ -69,6 +75,9 @@ pub(super) fn extract(
             attributes: vec![
                 Attribute::new("radius", Element::Vertex, 1, Values::F64(radii))?,
                 Attribute::new("pole", Element::Vertex, 1, Values::U32(poles_of))?,
+                Attribute::new("label", Element::Vertex, 1, Values::U32(labels))?,
+                Attribute::new("object_angle", Element::Vertex, 1, Values::F64(angles))?,
+                Attribute::new("flatness", Element::Cell, 1, Values::F64(flat))?,
             ],
             ..Default::default()
         };
@@ -124,6 +133,26 @@ fn facets(
         Ok(())
     })?;
     Ok(Facets { faces, cells })
+}
+
+/// How flat each tetrahedron is, given the vertex of the triangulation for each of the shape.
+fn flatness_of(
+    cells: &[[u32; 4]],
+    vertices: &[u32],
+    regular: &Triangulation,
+    room: &mut Room<'_>,
+    run: &Run<'_>,
+) -> Result<Vec<f64>> {
+    let mut flat = room.filled(cells.len(), 0.0)?;
+    let chunks = flat.chunks_mut(PART).zip(cells.chunks(PART)).collect();
+    run.in_parallel(chunks, |(flat, cells)| {
+        run.poll()?;
+        for (flat, corners) in flat.iter_mut().zip(cells) {
+            *flat = flatness(corners.map(|v| regular.coords()[vertices[v as usize] as usize]));
+        }
+        Ok(())
+    })?;
+    Ok(flat)
 }
 
 /// Those of the edges round which all cells have two vertices of either label, by the label of their ends, as numbers of

@@ -253,7 +253,7 @@ impl PowerCrust {
         Ok(())
     }
 
-    /// The shape's vertices are the visible poles of its side.
+    /// The shape's vertices are the visible poles of its side, with their attributes.
     fn check_shape(
         &self,
         report: &mut Validation,
@@ -277,6 +277,21 @@ impl PowerCrust {
         report.check(expected.eq(found), ElementKind::Vertex, 0, || {
             format!("the {side:?} power shape is not that of the visible poles")
         });
+        let values = |element, name| shape.attribute(element, name).map(|a| a.values());
+        let angles = values(Element::Vertex, "object_angle");
+        let (Some(Values::U32(poles)), Some(Values::U32(labels)), Some(Values::F64(angles))) =
+            (values(Element::Vertex, "pole"), values(Element::Vertex, "label"), angles)
+        else {
+            report.check(false, ElementKind::Vertex, 0, || "attributes are missing".into());
+            return Ok(());
+        };
+        for (vertex, &pole) in poles.iter().enumerate() {
+            let right = labels[vertex] == side as u32
+                && self.poles.object_angles().get(pole as usize) == Some(&angles[vertex]);
+            report.check(right, ElementKind::Vertex, vertex as u64, || {
+                format!("its label or its object angle in the {side:?} shape is another")
+            });
+        }
         Ok(())
     }
 }

@@ -97,6 +97,9 @@ fn attributes<'a>(complex: &'a Complex, kinds: &[Element]) -> Vec<Array<'a>> {
         let Some(kind) = kinds.iter().position(|kind| *kind == attribute.element()) else {
             continue;
         };
+        if attribute.rows() == 0 {
+            continue;
+        }
         let whole = matches!(attribute.values(), Values::U32(_));
         let shares = |array: &&mut Array<'_>| match &array.data {
             Data::Values { is_whole, parts } => {

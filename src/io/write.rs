@@ -98,7 +98,9 @@ fn warn_losses(complex: &Complex, format: Format, out: &mut Sink<'_>) -> Result<
             Format::Ma => element == Element::Vertex && what == "radius",
             _ => false,
         };
-        if !held {
+        // With the elements their attributes go, which needs no saying.
+        let is_told = element != Element::Vertex && !holds(element);
+        if !held && !is_told {
             let of = format!("{element:?}").to_lowercase();
             out.warn(format!(
                 "{name} has no place for the {of} attribute '{what}': it was left out"

@@ -5,12 +5,16 @@ use crate::complex::{Attribute, Complex, ComplexParts, Element, Values};
 use crate::error::Result;
 
 impl Poles {
-    /// The poles as vertices with `radius`, in the poles' order.
+    /// The poles as vertices with `radius` and `object_angle`, in the poles' order.
     pub fn to_complex(&self) -> Result<Complex> {
         let radii = self.balls().iter().map(|ball| ball[3]).collect();
+        let angles = self.object_angles().to_vec();
         Complex::new(ComplexParts {
             vertices: self.balls().iter().map(|&[x, y, z, _]| [x, y, z]).collect(),
-            attributes: vec![Attribute::new("radius", Element::Vertex, 1, Values::F64(radii))?],
+            attributes: vec![
+                Attribute::new("radius", Element::Vertex, 1, Values::F64(radii))?,
+                Attribute::new("object_angle", Element::Vertex, 1, Values::F64(angles))?,
+            ],
             ..ComplexParts::default()
         })
     }

@@ -3,6 +3,7 @@
 //! Amenta, Choi, Kolluri 2001, *The Power Crust*, sections 3.2 and 5.1; Amenta, Bern 1999 for a
 //! sample alone, whose poles may be at infinity. See `docs/algorithms/poles.md`.
 
+mod angle;
 mod export;
 mod feature_size;
 mod merge;
@@ -55,6 +56,7 @@ pub struct Poles {
     touches_far_box: Vec<bool>,
     pole_of_sample: Vec<[u32; 2]>,
     samples_on_balls: Rows,
+    object_angles: Vec<f64>,
     normals: Vec<[f64; 3]>,
     /// The centres of the balls, for [`Poles::feature_size`]; made when that is first asked.
     hierarchy: OnceLock<Hierarchy<1>>,
@@ -91,7 +93,7 @@ impl Poles {
 
     /// What the arrays take, those of the triangulation included.
     pub(crate) fn bytes(&self) -> usize {
-        (size_of_val(self.balls()) + size_of_val(self.radii_squared()) + 5 * self.len())
+        (size_of_val(self.balls()) + size_of_val(self.radii_squared()) + 13 * self.len())
             + (size_of_val(self.pole_of_sample()) + size_of_val(self.normals()))
             + 4 * (self.len() + self.samples_on_balls.indices().len())
             + self.triangulation.bytes()
@@ -143,17 +145,21 @@ impl Poles {
             let [x, y, z] = position(dual, cell);
             [x, y, z, dual.radii_squared()[cell as usize].sqrt()]
         };
+        let balls = room.collect(cell_of_pole.iter().map(ball))?;
+        let object_angles =
+            angle::object_angles(t.coords(), &balls, &samples_on_balls, &mut room, run)?;
         Ok(Poles {
             triangulation: t.clone(),
             options,
             lambda,
-            balls: room.collect(cell_of_pole.iter().map(ball))?,
+            balls,
             radii_squared: room
                 .collect(cell_of_pole.iter().map(|&c| dual.radii_squared()[c as usize]))?,
             cell_of_pole,
             touches_far_box,
             pole_of_sample,
             samples_on_balls,
+            object_angles,
             normals,
             hierarchy: OnceLock::new(),
         })
@@ -226,6 +232,16 @@ impl Poles {
     /// more where samples are cospherical, or fewer where the ball touches the far box.
     pub fn samples_on_balls(&self) -> &Rows {
         &self.samples_on_balls
+    }
+
+    /// The object angle of each pole, in [0, pi] radians: the largest angle at its centre between two samples on its ball.
+    /// Corners of the far box are no samples; with fewer than two samples on the ball it is 0.
+    ///
+    /// So Stolpner and Whitesides define it (*Medial axis approximation with bounded error*, 2009, section V) for the points of
+    /// the boundary that are nearest to a point of the medial axis; where these are more than two, the largest angle counts. Half of it is
+    /// the medial angle of Dey and Zhao (2004, section 3).
+    pub fn object_angles(&self) -> &[f64] {
+        &self.object_angles
     }
 
     /// The unit direction from each sample to its first pole, n x 3, an estimate of the surface's

@@ -1,19 +1,19 @@
 //! The check of poles: the farthest vertices, each once, in order.
 
 use super::select::{is_farther, is_opposite};
-use super::{Omit, Poles, position, sample_count};
+use super::{Omit, POLE_MAX, Poles, position, sample_count};
 use crate::dual::{Dual, DualOptions, unit};
 use crate::error::{ElementKind, Result};
 use crate::index::NONE;
 use crate::job::{Job, Run, Stage};
-use crate::points::{Bounds, order};
+use crate::points::{Bounds, COORDINATE_MIN, order};
 use crate::predicates::insphere;
 use crate::validation::Validation;
 
 impl Poles {
     /// Checks every invariant against the triangulation: each ball is the circumscribed sphere of its cell,
     /// the least of those that share it; each sample's poles are the farthest of all its cells' centres; no
-    /// pole twice, none that no sample has; spatial order; normals towards the first poles.
+    /// pole twice, none that no sample has; the samples on each ball and its object angle; spatial order; normals towards the first poles.
     ///
     /// Errors: those of the job. Cost: O(m), and a dual is built anew.
     pub fn validate(&self, job: &Job) -> Result<Validation> {
@@ -24,6 +24,7 @@ impl Poles {
             let mut report = Validation::new();
             let (p, n) = (self.len(), sample_count(self.triangulation.points()));
             let complete = [self.radii_squared.len(), self.cell_of_pole.len()] == [p; 2]
+                && [self.samples_on_balls.len(), self.object_angles.len()] == [p; 2]
                 && self.touches_far_box.len() == p
                 && [self.pole_of_sample.len(), self.normals.len()] == [n; 2]
                 && self.cell_of_pole.iter().all(|&c| (c as usize) < dual.centers().len())
@@ -69,6 +70,7 @@ impl Poles {
             });
             // A walk over the cells that share the sphere. None is lesser, and none was on the walk of
             // another pole.
+            let mut samples = Vec::new();
             let mut least = !std::mem::replace(&mut seen[cell as usize], true);
             let mut far = false;
             let mut stack = vec![cell];
@@ -76,6 +78,7 @@ impl Poles {
                 least &= current >= cell;
                 let corners = t.cells()[current as usize];
                 far |= corners.iter().any(|&v| v as usize >= self.normals.len());
+                samples.extend(corners.iter().filter(|&&v| (v as usize) < self.normals.len()));
                 for next in t.neighbors()[current as usize].into_iter().filter(|&c| c != NONE) {
                     if !seen[next as usize] && shares_sphere(dual, current, next) {
                         seen[next as usize] = true;
@@ -92,8 +95,37 @@ impl Poles {
                 pole as u64,
                 || "whether it touches the far box is wrong".into(),
             );
+            samples.sort_unstable();
+            samples.dedup();
+            let right = self.samples_on_balls.row(pole) == samples && self.has_angle(pole);
+            report.check(right, ElementKind::Vertex, pole as u64, || {
+                "the samples on its ball are others, or its object angle is another".into()
+            });
         }
         Ok(())
+    }
+
+    /// Whether the object angle is that of the longest chord between samples on the ball, as far as the rounding of the ball shows.
+    fn has_angle(&self, pole: usize) -> bool {
+        let (angle, radius) = (self.object_angles[pole], self.balls[pole][3]);
+        let at = |v: u32| self.triangulation.coords()[v as usize];
+        let chord = |a: u32, b: u32| {
+            let [p, q] = [at(a), at(b)];
+            (0..3).map(|k| (p[k] - q[k]) * (p[k] - q[k])).sum::<f64>().sqrt()
+        };
+        let samples = self.samples_on_balls.row(pole);
+        let pairs = samples.iter().flat_map(|&a| samples.iter().map(move |&b| (a, b)));
+        let longest = pairs.fold(0.0, |longest: f64, (a, b)| longest.max(chord(a, b)));
+        let largest = self.balls[pole].iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        // A centre may have been moved into the range of predicates.
+        let moved = COORDINATE_MIN + 16.0 * f64::EPSILON * largest;
+        let slack = longest * (1e-12 + moved / radius);
+        let is_told = slack < 0.1 * longest && largest < POLE_MAX;
+        let found = 2.0 * radius * libm::sin(angle / 2.0);
+        let is_angle = (0.0..=std::f64::consts::PI).contains(&angle);
+        is_angle
+            && (longest > 0.0 || angle == 0.0)
+            && (!is_told || (found - longest).abs() <= slack)
     }
 
     /// Sorting the poles again must change nothing.

@@ -140,6 +140,10 @@ FIELD(medax_decimate_options, struct_size, 0);
 FIELD(medax_decimate_options, triangles, 8);
 FIELD(medax_decimate_options, max_error, 16);
 
+SIZE(medax_flatten_options, 16);
+FIELD(medax_flatten_options, struct_size, 0);
+FIELD(medax_flatten_options, flatness, 8);
+
 SIZE(medax_compare_options, 24);
 FIELD(medax_compare_options, struct_size, 0);
 FIELD(medax_compare_options, samples, 8);

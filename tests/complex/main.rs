@@ -1,7 +1,8 @@
-//! Complexes: validity, topology, intersections, orientation, comparison, decimation.
+//! Complexes: validity, topology, intersections, orientation, comparison, decimation, flattening.
 
 mod compare;
 mod decimate;
+mod flatten;
 mod intersections;
 mod models;
 mod orient;

@@ -268,6 +268,14 @@ void crusts() {
     const medax::Complex both = crust.both_shapes();
     CHECK(both.vertices().rows() == crust.shape(MEDAX_LABEL_INNER).vertices().rows()
                                         + crust.shape(MEDAX_LABEL_OUTER).vertices().rows());
+    CHECK(both.attribute(MEDAX_ELEMENT_VERTEX, "label").u32_values[0][0] == MEDAX_LABEL_INNER);
+    CHECK(poles.object_angles().rows() == poles.balls().rows());
+    medax::FlattenOptions all;
+    all.flatness = 1;
+    const medax::Flattened flattened = both.flatten(all);
+    CHECK(flattened.collapses().rows() + flattened.left_count() == both.cells().rows());
+    CHECK(flattened.complex().cells().rows() == flattened.left_count());
+    CHECK(flattened.complex().topology().betti[1] == both.topology().betti[1]);
     CHECK(crust.poles_complex().attribute(MEDAX_ELEMENT_VERTEX, "label").u32_values.rows()
           == crust.labels().rows());
     CHECK(poles.complex().vertices().rows() == poles.balls().rows());

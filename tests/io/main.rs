@@ -1,5 +1,6 @@
 //! Reading and writing files: round trips, malformed and damaged files, real models.
 
+mod crusts;
 mod damage;
 mod malformed;
 mod models;

@@ -164,6 +164,39 @@ fn variants_of_a_power_crust_are_told_and_written() {
 }
 
 #[test]
+fn flat_tetrahedra_are_counted_and_collapsed() {
+    let place = Place::new();
+    place.shape(Shape::Bracket, "in.ply");
+    let whole = place.json("crust in.ply --shape whole.vtu");
+    assert_eq!(whole["parameters"]["flatten"], false);
+    assert_eq!(whole["parameters"]["flatness"], 0.1);
+    let inner = &whole["tetrahedra"]["inner"];
+    assert_eq!(inner["all"], whole["outputs"][1]["cells"]);
+    assert!(inner["flat"].as_u64() < inner["all"].as_u64() && inner["flat"].as_u64() > Some(100));
+    assert!(whole["tetrahedra"]["outer"]["all"].as_u64() > Some(100));
+    for (options, limit) in
+        [("", 0.1), ("--flatness 0.01", 0.01), ("--flatness inf", f64::INFINITY)]
+    {
+        let flat = place.json(&format!("crust in.ply --shape flat.ply --flatten {options}"));
+        assert_eq!(flat["parameters"]["flatten"], true);
+        if limit.is_finite() {
+            assert_eq!(flat["parameters"]["flatness"], limit);
+        }
+        let count = |name: &str| flat["flattened"][name].as_u64().unwrap();
+        assert_eq!(count("collapsed") + count("left"), flat["tetrahedra"]["inner"]["flat"]);
+        let left = inner["all"].as_u64().unwrap() - count("collapsed");
+        assert_eq!(flat["outputs"][1]["cells"], left);
+        assert_eq!(flat["warnings"].as_array().unwrap().len(), usize::from(left > 0));
+        let betti = |report: &Value| report["outputs"][1]["topology"]["betti"].clone();
+        assert_eq!(betti(&flat), betti(&whole));
+    }
+    let plain = place.run("crust in.ply --shape flat.ply --flatten");
+    let text = crate::text(&plain.stdout);
+    assert!(text.contains("tetrahedra   ") && text.contains(" flat)"), "{text}");
+    assert!(text.contains("flattened    ") && text.contains(" tetrahedra collapsed"), "{text}");
+}
+
+#[test]
 fn files_hold_what_the_library_makes() {
     let place = Place::new();
     place.shape(Shape::Ellipsoid, "in.ply");

@@ -4,7 +4,7 @@ use crate::sets::{self, Random, Set};
 use medax::complex::{Element, Values};
 use medax::crust::{Label, PowerCrustOptions};
 use medax::dual::{Dual, DualOptions};
-use medax::{Job, JobOptions, NONE, Points, Poles, PowerCrust, Status};
+use medax::{Complex, Job, JobOptions, NONE, Points, Poles, PowerCrust, Status};
 use std::sync::Arc;
 
 fn points(rows: &[[f64; 3]]) -> Arc<Points> {
@@ -412,6 +412,7 @@ fn described(rows: &[[f64; 3]], round_poles: bool, threads: usize) -> String {
     let dual = Dual::new(poles.triangulation(), DualOptions { facets: true }, &job).unwrap();
     let of_poles = (poles.balls(), poles.radii_squared(), poles.cell_of_pole(), poles.normals());
     let of_samples = (poles.pole_of_sample(), poles.touches_far_box());
+    let of_samples = (of_samples, poles.object_angles());
     let shapes = [crust.surface(), crust.inner_shape(), crust.outer_shape()];
     format!(
         "{dual:?} {of_poles:?} {of_samples:?} {:?} {shapes:?}",
@@ -439,6 +440,51 @@ fn threads_change_no_bit() {
                 let many = described(&rows, round_poles, threads);
                 assert!(many == one, "{name}, {threads} threads, {round_poles}");
             }
+        }
+    }
+}
+
+#[test]
+fn shapes_carry_what_their_poles_have() {
+    let noise = sets::all(300).into_iter().find(|set| set.name == "uniform").unwrap().rows;
+    for rows in [torus(2.0, 0.7, (40, 24)), noise] {
+        let crust = crust(&rows);
+        // Where balls change their poles do not.
+        let offset = crust.offset(0.01, &Job::default()).unwrap();
+        for crust in [crust, offset] {
+            for (side, shape) in
+                [(Label::Inner, crust.inner_shape()), (Label::Outer, crust.outer_shape())]
+            {
+                let names: Vec<&str> = shape.attributes().iter().map(|a| a.name()).collect();
+                assert_eq!(names, ["radius", "pole", "label", "object_angle", "flatness"]);
+                let values = |name| shape.attribute(Element::Vertex, name).unwrap().values();
+                let (Values::U32(poles), Values::F64(angles)) =
+                    (values("pole"), values("object_angle"))
+                else {
+                    panic!("attributes of other types");
+                };
+                assert!(!poles.is_empty());
+                assert_eq!(*values("label"), Values::U32(vec![side as u32; poles.len()]));
+                for (&pole, &angle) in poles.iter().zip(angles) {
+                    assert_eq!(crust.labels()[pole as usize], side);
+                    assert_eq!(angle, crust.poles().object_angles()[pole as usize]);
+                }
+            }
+            let both = crust.both_shapes().unwrap();
+            for element in [Element::Vertex, Element::Cell] {
+                for attribute in both.attributes().iter().filter(|a| a.element() == element) {
+                    let of = |shape: &Complex| {
+                        shape.attribute(element, attribute.name()).unwrap().values().clone()
+                    };
+                    let joined = match (of(crust.inner_shape()), of(crust.outer_shape())) {
+                        (Values::F64(a), Values::F64(b)) => Values::F64([a, b].concat()),
+                        (Values::U32(a), Values::U32(b)) => Values::U32([a, b].concat()),
+                        _ => panic!("attributes of other types"),
+                    };
+                    assert_eq!(*attribute.values(), joined);
+                }
+            }
+            assert_eq!(both.attributes().len(), 5);
         }
     }
 }

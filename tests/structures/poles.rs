@@ -1,6 +1,7 @@
 //! Poles: against exact rationals, on shapes whose medial axis is known, and against `validate`.
 
 use crate::sets::{self, Random, Set};
+use medax::complex::{Element, Values};
 use medax::dual::DualOptions;
 use medax::points::FAR_BOX_LEN;
 use medax::{Dual, Job, NONE, Points, Poles, Status, Triangulation};
@@ -423,4 +424,42 @@ fn a_tetrahedron_with_an_obtuse_center_may_have_no_second_pole() {
     assert!(seconds.contains(&0), "{seconds:?}");
     let apex = poles.triangulation().coords().iter().position(|p| p[2] > 0.0).unwrap();
     assert_eq!(poles.pole_of_sample()[apex][1], 0);
+}
+
+#[test]
+fn object_angles_are_the_largest_between_samples() {
+    // The ball round the centre of a cube touches opposite faces.
+    let range = || (-2..=2).map(f64::from);
+    let grid = range().flat_map(|x| range().flat_map(move |y| range().map(move |z| [x, y, z])));
+    let cube: Vec<[f64; 3]> = grid.filter(|p| p.iter().any(|x| x.abs() == 2.0)).collect();
+    let poles = boxed(&cube);
+    let centre = poles.balls().iter().position(|ball| ball[..3] == [0.0; 3]).unwrap();
+    assert_eq!(poles.object_angles()[centre], std::f64::consts::PI);
+    // The angle at the centre by its cosine, where that has digits enough.
+    for Set { name, rows } in sets::all(300) {
+        let poles = boxed(&rows);
+        let mut compared = 0;
+        for (pole, ball) in poles.balls().iter().enumerate() {
+            let samples = poles.samples_on_balls().row(pole);
+            let seen = |s: u32| {
+                let at = poles.triangulation().coords()[s as usize];
+                [0, 1, 2].map(|k| (at[k] - ball[k]) / ball[3])
+            };
+            let cosine = |a: u32, b: u32| -> f64 { (0..3).map(|k| seen(a)[k] * seen(b)[k]).sum() };
+            let pairs = samples.iter().flat_map(|&a| samples.iter().map(move |&b| (a, b)));
+            let least = pairs.map(|(a, b)| cosine(a, b)).fold(1.0, f64::min);
+            let largest = ball.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+            let angle = poles.object_angles()[pole];
+            assert!((0.0..=std::f64::consts::PI).contains(&angle), "{name}: {angle}");
+            assert!(samples.len() > 1 || angle == 0.0, "{name}: {angle}");
+            if largest < 1e3 * ball[3] {
+                assert!((angle.cos() - least).abs() < 1e-9, "{name}: {angle}, {least}");
+                compared += 1;
+            }
+        }
+        assert!(compared > 20 || name.contains("far") || name == "clustered", "{name}: {compared}");
+        let complex = poles.to_complex().unwrap();
+        let carried = complex.attribute(Element::Vertex, "object_angle").unwrap();
+        assert_eq!(*carried.values(), Values::F64(poles.object_angles().to_vec()));
+    }
 }

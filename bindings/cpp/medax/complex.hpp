@@ -34,6 +34,9 @@ using Topology = medax_topology;
 using Comparison = medax_comparison;
 using CompareOptions = detail::Options<medax_compare_options, medax_compare_options_init>;
 using DecimateOptions = detail::Options<medax_decimate_options, medax_decimate_options_init>;
+using FlattenOptions = detail::Options<medax_flatten_options, medax_flatten_options_init>;
+
+class Flattened;
 
 /// The pairs of triangles of a complex that intersect.
 class Intersections
@@ -115,6 +118,8 @@ public:
         job.check(medax_complex_decimate(get(), &options, job.get(), &decimated));
         return Complex(decimated);
     }
+    /// Flat tetrahedra collapsed to their triangles.
+    inline Flattened flatten(const FlattenOptions &options = {}, const Job &job = Job::fresh()) const;
     Comparison compare(const Complex &other, const CompareOptions &options = {},
                        const Job &job = Job::fresh()) const {
         Comparison report;
@@ -139,5 +144,31 @@ public:
         return Attribute(found);
     }
 };
+
+/// A complex without its flat tetrahedra, and what became of them.
+class Flattened
+    : public detail::Handle<medax_flattened, medax_flattened_clone, medax_flattened_free> {
+public:
+    /// Takes over a reference that a function of medax.h gave.
+    explicit Flattened(const medax_flattened *owned) noexcept : Handle(owned) {}
+
+    Complex complex() const {
+        const medax_complex *complex = nullptr;
+        detail::check(medax_flattened_complex(get(), &complex));
+        return Complex(complex);
+    }
+    /// Rows of two: a tetrahedron that went, and its vertex opposite the triangle that went with it.
+    View<std::uint32_t> collapses() const noexcept {
+        return detail::view(medax_flattened_collapses(get()));
+    }
+    /// The number of flat tetrahedra that could not go.
+    std::size_t left_count() const noexcept { return medax_flattened_left_count(get()); }
+};
+
+inline Flattened Complex::flatten(const FlattenOptions &options, const Job &job) const {
+    const medax_flattened *flattened = nullptr;
+    job.check(medax_complex_flatten(get(), &options, job.get(), &flattened));
+    return Flattened(flattened);
+}
 
 }  // namespace medax

@@ -52,6 +52,7 @@ public:
         detail::check(medax_power_crust_surface(get(), &surface));
         return Complex(surface);
     }
+    /// The power shape of one side, with `radius`, `pole`, `label` and `object_angle`, and `flatness` of its tetrahedra.
     Complex shape(medax_label label) const {
         const medax_complex *shape = nullptr;
         detail::check(medax_power_crust_shape(get(), label, &shape));
@@ -82,7 +83,7 @@ public:
     double conflict() const noexcept { return medax_power_crust_conflict(get()); }
     /// Whether labels were changed to lessen their conflict.
     bool is_settled() const noexcept { return medax_power_crust_is_settled(get()); }
-    /// The poles as vertices with `radius` and `label`, for writing.
+    /// The poles as vertices with `radius`, `object_angle` and `label`, for writing.
     Complex poles_complex() const {
         const medax_complex *complex = nullptr;
         detail::check(medax_power_crust_poles_complex(get(), &complex));

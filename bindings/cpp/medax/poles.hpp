@@ -57,6 +57,10 @@ public:
     Rows samples_on_balls() const noexcept {
         return Rows(medax_poles_samples_on_balls(get()));
     }
+    /// The largest angle at each pole's centre between two samples on its ball, in radians.
+    View<double> object_angles() const noexcept {
+        return detail::view(medax_poles_object_angles(get()));
+    }
     /// The lambda by which poles were left out; 0 if that was not asked for.
     double lambda() const noexcept { return medax_poles_lambda(get()); }
     View<double> normals() const noexcept { return detail::view(medax_poles_normals(get())); }
@@ -70,7 +74,7 @@ public:
                                            distances.data()));
         return distances;
     }
-    /// The poles as vertices with `radius`, for writing.
+    /// The poles as vertices with `radius` and `object_angle`, for writing.
     Complex complex() const {
         const medax_complex *complex = nullptr;
         detail::check(medax_poles_complex(get(), &complex));

@@ -1,5 +1,6 @@
 //! `medax crust`: the power crust, the power shape and the labelled poles.
 
+use crate::flatten::FlattenArguments;
 use crate::omit::OmitOptions;
 use crate::report::{Counts, Report};
 use crate::session::{Failure, OutputOptions, ReadOptions, Session, ValidateOptions};
@@ -29,7 +30,7 @@ pub struct Options {
     /// The side of the surface whose power shape is written
     #[arg(long, value_enum, default_value_t = Side::Inner)]
     side: Side,
-    /// Where to write the poles, with radius and label (0 outer, 1 inner)
+    /// Where to write the poles, with radius, object angle and label (0 outer, 1 inner)
     #[arg(long, value_name = "FILE")]
     poles: Option<PathBuf>,
     /// Balls of neighbouring poles intersect deeply, and are of one side, where the angle between
@@ -52,6 +53,8 @@ pub struct Options {
     variants: VariantOptions,
     #[command(flatten)]
     sizes: SizeOptions,
+    #[command(flatten)]
+    flatten: FlattenArguments,
     #[command(flatten)]
     validate: ValidateOptions,
 }
@@ -94,6 +97,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     let [samples, sizes] = options.sizes.files();
     options.output.check(&[&options.shape, &options.poles, &samples, &sizes])?;
     options.variants.check()?;
+    options.flatten.check()?;
     let mut asked = match options.deep_degrees {
         None => PowerCrustOptions::default(),
         Some(degrees) if (90.0..=180.0).contains(&degrees) => {
@@ -140,6 +144,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
             crust.conflict()
         ));
     }
+    options.flatten.describe(&crust, &mut report);
     if crust.surface().faces().is_empty() {
         session.warn(
             "no pole is inner, so the surface is empty: the sample is too sparse for its shape",
@@ -162,6 +167,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     report.outputs.push(session.deliver("surface", surface, path, &options.output)?);
     if let Some(path) = &options.shape {
         let (name, shape) = shape(&crust, options.side)?;
+        let shape = options.flatten.apply(shape, &mut report, session)?;
         report.outputs.push(session.deliver(name, &shape, Some(path), &options.output)?);
     }
     if let Some(path) = &options.poles {

@@ -6,6 +6,7 @@
 mod compare;
 mod crust;
 mod decimate;
+mod flatten;
 mod info;
 mod omit;
 mod poles;

@@ -28,7 +28,7 @@ fn a_wrong_ball_is_noticed() {
     for poles in poles() {
         assert!(is_valid(&poles) && poles.len() > 1);
         for pole in 0..poles.len() {
-            for change in 0..7 {
+            for change in 0..9 {
                 let mut poles = poles.clone();
                 match change {
                     0 => poles.balls[pole][0] = poles.balls[pole][0].next_up(),
@@ -37,6 +37,8 @@ fn a_wrong_ball_is_noticed() {
                     3 => poles.touches_far_box[pole] = !poles.touches_far_box[pole],
                     4 => poles.cell_of_pole[pole] += 1,
                     5 => poles.cell_of_pole[pole] = NONE,
+                    6 => poles.object_angles[pole] += 0.1,
+                    7 => poles.object_angles[pole] = f64::NAN,
                     _ => {
                         let other = (pole + 1) % poles.len();
                         poles.balls[pole] = poles.balls[other];
