@@ -37,7 +37,7 @@ struct Arguments {
 enum Command {
     Triangulate(triangulate::Options),
     Poles(poles::Options),
-    Crust(crust::Options),
+    Crust(Box<crust::Options>),
     Info(info::Options),
     Compare(compare::Options),
     Decimate(decimate::Options),
