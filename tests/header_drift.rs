@@ -7,7 +7,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// The chapters of the header in order: the files of `src/capi`.
-const CHAPTERS: [&str; 20] = [
+const CHAPTERS: [&str; 22] = [
     "status",
     "handle",
     "view",
@@ -20,9 +20,11 @@ const CHAPTERS: [&str; 20] = [
     "dual",
     "poles",
     "crust",
+    "relabel",
     "variants",
     "complex",
     "topology",
+    "winding",
     "compare",
     "decimate",
     "file",

@@ -16,6 +16,7 @@ mod surface;
 mod topology;
 mod triangulated;
 mod validate;
+mod winding;
 
 pub use attribute::{Attribute, Element, Values};
 pub use compare::{CompareOptions, Comparison, Distances, compare};

@@ -1,7 +1,8 @@
 //! Power crusts of changed balls: other radii, or fewer balls, with the labels that the poles have.
 
 use super::balls::{self, Ball};
-use super::label::{Label, unbounded_poles};
+use super::label::Label;
+use super::relabel::force_outer;
 use super::surface::Shards;
 use super::{Balls, Parts, PowerCrust};
 use crate::error::{Error, Result, Status};
@@ -52,12 +53,7 @@ impl PowerCrust {
         room.keep(regular.bytes())?;
         run.enter(Stage::Extract)?;
         let mut labels = room.collect(self.labels.iter().copied())?;
-        let mut forced = 0;
-        for pole in unbounded_poles(&regular, &mut room, run)? {
-            let label = &mut labels[pole as usize];
-            forced += usize::from(*label == Label::Inner);
-            *label = Label::Outer;
-        }
+        let forced = force_outer(&regular, &mut labels, run)?;
         let parts = Parts {
             options: self.options,
             poles: self.poles.clone(),
@@ -65,6 +61,7 @@ impl PowerCrust {
             shards,
             regular,
             labels,
+            given: self.given,
             unreached: self.unreached,
             forced,
         };

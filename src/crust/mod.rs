@@ -12,6 +12,7 @@ mod export;
 mod holes;
 mod label;
 mod queue;
+mod relabel;
 mod shape;
 mod shards;
 mod simplify;
@@ -80,6 +81,8 @@ pub struct PowerCrust {
     shards: Shards,
     regular: Arc<Triangulation>,
     labels: Vec<Label>,
+    /// Whether a host or a mesh gave the labels: then no rule tells them.
+    given: bool,
     unreached: usize,
     forced: usize,
     surface: Arc<Complex>,
@@ -104,6 +107,7 @@ struct Parts {
     shards: Shards,
     regular: Arc<Triangulation>,
     labels: Vec<Label>,
+    given: bool,
     unreached: usize,
     forced: usize,
 }
@@ -169,14 +173,16 @@ impl PowerCrust {
         run.enter(Stage::Extract)?;
         let shards = if options.keep_shards { Shards::Keep } else { Shards::Merge };
         let label::Labelling { labels, unreached, forced } = labelling;
-        let balls = Balls::Poles;
-        let parts = Parts { options, poles, balls, shards, regular, labels, unreached, forced };
+        let (balls, given) = (Balls::Poles, false);
+        let parts =
+            Parts { options, poles, balls, shards, regular, labels, given, unreached, forced };
         PowerCrust::assemble(parts, run)
     }
 
     /// The surface and the shapes of labelled balls.
     fn assemble(parts: Parts, run: &Run<'_>) -> Result<Self> {
-        let Parts { options, poles, balls, shards, regular, labels, unreached, forced } = parts;
+        let Parts { options, poles, balls, shards, regular, labels, given, unreached, forced } =
+            parts;
         let mut room = Room::new(run);
         let division = Division::new(&regular, &labels, &mut room, run)?;
         let surface = surface::extract(&poles, &regular, &division, shards, run)?;
@@ -189,6 +195,7 @@ impl PowerCrust {
             shards,
             regular,
             labels,
+            given,
             unreached,
             forced,
             surface: Arc::new(surface),

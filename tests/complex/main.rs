@@ -1,4 +1,4 @@
-//! Complexes: validity, topology, intersections, orientation, comparison, decimation.
+//! Complexes: validity, topology, intersections, orientation, comparison, decimation, winding numbers.
 
 mod compare;
 mod decimate;
@@ -7,3 +7,4 @@ mod models;
 mod orient;
 mod shapes;
 mod topology;
+mod winding;

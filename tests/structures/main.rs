@@ -6,6 +6,7 @@ mod generated;
 mod job;
 mod points;
 mod poles;
+mod relabel;
 mod sets;
 mod triangulation;
 mod variants;

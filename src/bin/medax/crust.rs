@@ -41,6 +41,10 @@ pub struct Options {
     /// Keep the shards of every sample: vertices of the power diagram that are the sample but for rounding
     #[arg(long)]
     keep_shards: bool,
+    /// Label the poles by this mesh instead, which may be the input itself: inner where its faces, which must point out of
+    /// the solid, wind round a pole
+    #[arg(long, value_name = "MESH")]
+    label_mesh: Option<PathBuf>,
     #[command(flatten)]
     omit: OmitOptions,
     #[command(flatten)]
@@ -87,7 +91,14 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     let soup = session.read(&options.input)?;
     let (points, input) = session.points(&options.input, &soup, &options.read)?;
     drop(soup);
-    let crust = PowerCrust::build(&points, asked, &session.job)?;
+    let mesh = match &options.label_mesh {
+        Some(path) => Some((path, session.read_complex(path)?)),
+        None => None,
+    };
+    let mut crust = PowerCrust::build(&points, asked, &session.job)?;
+    if let Some((path, mesh)) = mesh {
+        crust = crust.labelled_by_mesh(&mesh, &session.job).map_err(Failure::about(path))?;
+    }
     let mut report = Report { command: "crust", input, ..Report::default() };
     options.read.describe(&mut report.parameters);
     options.output.describe(&mut report.parameters);
@@ -98,6 +109,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
         ("keep_shards", json!(options.keep_shards)),
         ("triangles", json!(options.triangles)),
         ("side", json!(options.side.name())),
+        ("label_mesh", json!(options.label_mesh.as_ref().map(|path| path.to_string_lossy()))),
     ] {
         report.parameters.insert(name.into(), value);
     }
@@ -106,9 +118,12 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     options.validate.report(&mut report, || crust.validate(&session.job))?;
     describe(&crust, &mut report);
     if crust.surface().faces().is_empty() {
-        session.warn(
-            "no pole is inner, so the surface is empty: the sample is too sparse for its shape",
-        );
+        session.warn(match options.label_mesh {
+            None => "no pole is inner, so the surface is empty: the sample is too sparse for its shape",
+            Some(_) => {
+                "no pole is inner, so the surface is empty: the mesh winds round none; it may be turned inside out, or be elsewhere"
+            }
+        });
     }
 
     let open = options.variants.opened(&crust, &mut report, session)?;

@@ -15,6 +15,7 @@ mod sample;
 mod session;
 mod triangulate;
 mod variants;
+mod winding;
 
 use clap::Parser;
 use report::Report;
@@ -40,6 +41,7 @@ enum Command {
     Compare(compare::Options),
     Decimate(decimate::Options),
     Sample(sample::Options),
+    Winding(winding::Options),
 }
 
 impl Command {
@@ -52,6 +54,7 @@ impl Command {
             Command::Compare(options) => compare::run(options, session),
             Command::Decimate(options) => decimate::run(options, session),
             Command::Sample(options) => sample::run(options, session),
+            Command::Winding(options) => winding::run(options, session),
         }
     }
 }
