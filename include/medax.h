@@ -2113,7 +2113,58 @@ MEDAX_API const medax_power_crust *medax_power_crust_clone(const medax_power_cru
  */
 MEDAX_API void medax_power_crust_free(const medax_power_crust *crust);
 
-/* ---- 13. Power crusts of other balls ----------------------------------------------------------
+/* ---- 13. Power crusts with other labels -------------------------------------------------------
+ *
+ * Labels can be given by the host, or be told by a mesh whose inside is known. Poles and the regular triangulation stay;
+ * the surface and the shapes are made anew.
+ */
+
+/**
+ * The same poles with other labels.
+ *
+ * An inner pole with an unbounded power cell becomes outer, and is counted by #medax_power_crust_forced_count. Offsets and simplified power
+ * crusts of the result keep the labels.
+ *
+ * \param crust The power crust.
+ * \param labels `label_count` values: a #medax_label for each pole, in the order of #medax_power_crust_labels.
+ * \param label_count The number of labels, which is that of the poles.
+ * \param job NULL for a default job.
+ * \param out_crust Receives the power crust with these labels, which the caller frees with #medax_power_crust_free.
+ * \return `MEDAX_STATUS_OK`; `MISMATCH` unless there is one label per pole; `INVALID_ARGUMENT` with the row of a number that is no
+ *         label; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(size), without a triangulation. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_power_crust_with_labels(const medax_power_crust *crust,
+                                           const uint32_t *labels,
+                                           size_t label_count,
+                                           const medax_job *job,
+                                           const medax_power_crust **out_crust);
+
+/**
+ * The same poles, labelled by a mesh: inner are those round whose centres its faces wind more than half a time, by
+ * #medax_complex_winding_numbers.
+ *
+ * Faces must point out of the solid, and those of voids into them; where shells overlap is inside. Holes are closed by something in
+ * between. Of a mesh that is turned inside out no pole is inner, and the surface is empty: #medax_complex_orient turns it. The samples need not
+ * be the mesh's vertices. The rest is as for #medax_power_crust_with_labels.
+ *
+ * \param crust The power crust.
+ * \param mesh The mesh, as a complex with faces.
+ * \param job NULL for a default job.
+ * \param out_crust Receives the power crust with these labels, which the caller frees with #medax_power_crust_free.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for a mesh without faces; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O((n + p) log n) for n triangles and p poles, without a triangulation. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_power_crust_labelled_by_mesh(const medax_power_crust *crust,
+                                                const medax_complex *mesh,
+                                                const medax_job *job,
+                                                const medax_power_crust **out_crust);
+
+/* ---- 14. Power crusts of other balls ----------------------------------------------------------
  *
  * Offsets, simplified power shapes and surfaces with holes are made from a power crust without starting over. Labels are kept, and so
  * are the numbers of poles: those whose balls are left out have no vertex in the regular triangulation.
@@ -2879,6 +2930,37 @@ medax_status medax_complex_validate(const medax_complex *complex,
                                     medax_validation *out_report);
 
 /* ---- 17. Comparison ---------------------------------------------------------------------------
+/* ---- 17. Winding numbers ----------------------------------------------------------------------
+ *
+ * How often the faces of a complex wind round a point: 1 inside a closed surface whose faces point out, 0 outside of it.
+ * (Jacobson, Kavan, Sorkine-Hornung 2013, Robust inside-outside segmentation using generalized winding numbers.)
+ */
+
+/**
+ * The generalised winding number of the faces round points: the solid angle of #medax_complex_triangles seen from there, by 4 pi.
+ *
+ * Inside a closed surface it is 1, outside 0; -1 inside one that is turned inside out, 0 in a void whose faces point into it, 2 where two shells
+ * overlap. Near a hole or a seam it lies in between, and on a face it is the mean of both sides. Triangles that are far away count together: on
+ * the meshes that were measured that is off by 0.002 at most.
+ *
+ * \param complex The complex.
+ * \param query_xyz `query_count` x 3 coordinates; NULL only if `query_count` is 0.
+ * \param query_count The number of points.
+ * \param job NULL for a default job.
+ * \param out_numbers Receives `query_count` winding numbers; the caller's buffer, NULL only if `query_count` is 0.
+ * \return `MEDAX_STATUS_OK`; `NON_FINITE` with the row of a query; `INVALID_ARGUMENT` for a complex without faces;
+ *         `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(n log n) for n triangles, and then about O(log n) a query. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_complex_winding_numbers(const medax_complex *complex,
+                                           const double *query_xyz,
+                                           size_t query_count,
+                                           const medax_job *job,
+                                           double *out_numbers);
+
+/* ---- 18. Comparison ---------------------------------------------------------------------------
  *
  * How far two complexes are apart as sets of points: their faces, loose edges and cells, which are
  * solid; or their vertices, where they have none of these.
@@ -2976,6 +3058,7 @@ medax_status medax_complex_compare(const medax_complex *a,
                                    medax_comparison *out_report);
 
 /* ---- 18. Decimation ---------------------------------------------------------------------------
+/* ---- 19. Decimation ---------------------------------------------------------------------------
  *
  * Fewer triangles for the same surface.
  */

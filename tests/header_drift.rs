@@ -7,7 +7,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// The chapters of the header in order: the files of `src/capi`.
-const CHAPTERS: [&str; 22] = [
+const CHAPTERS: [&str; 23] = [
     "status",
     "handle",
     "view",
@@ -20,10 +20,12 @@ const CHAPTERS: [&str; 22] = [
     "dual",
     "poles",
     "crust",
+    "relabel",
     "variants",
     "sizes",
     "complex",
     "topology",
+    "winding",
     "compare",
     "decimate",
     "flatten",

@@ -2,10 +2,10 @@
 //! against what is known. Only the vertices of a model are taken.
 
 use medax::crust::PowerCrustOptions;
-use medax::io::read_points;
+use medax::io::{read_complex, read_points};
 use medax::points::PointsOptions;
 use medax::sample::{SampleOptions, Shape, sample};
-use medax::{Job, Points, PowerCrust};
+use medax::{Complex, Job, Points, PowerCrust};
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::PathBuf;
@@ -31,8 +31,7 @@ use Known::{Is, Must, Open};
 
 /// The files of `../shared/data`, with the form that its `MANIFEST.md` gives.
 ///
-/// Why some have another. The plate's vertices are 0.6 apart, where its local feature size is at most half
-/// its thickness, 0.8, and 0 on its edges. The shells of the octopus cut into each other, so that
+/// Why some have another. The shells of the octopus cut into each other, so that
 /// samples lie inside. The dragon's genus is dirt of the scan. The knot's samples are 0.69 apart on a tube of
 /// radius 1: 80 of them have their second pole outside as well, at little more than 90 degrees
 /// from the first, and two of those come out inner; with `deep` at 0.3 they do not.
@@ -42,17 +41,17 @@ const MODELS: [(&str, Known); 20] = [
     ("igea.ply", Must((1, 0))),
     ("refined_elephant.off", Must((1, 3))),
     ("stanford-bunny.obj", Open),
-    ("cavity_and_ring.off", Is((3, 1), (3, 1))),
+    ("cavity_and_ring.off", Must((3, 1))),
     ("range_scan_rops.ply", Open),
     ("street_lidar.xyz", Open),
-    ("octopus.off", Is((4, 0), (2, 9))),
+    ("octopus.off", Is((4, 0), (4, 6))),
     ("mannequin.off", Must((1, 0))),
     ("rocker-arm.obj", Must((1, 1))),
     ("foot.off", Must((1, 0))),
     ("foot_hole.off", Open),
-    ("fandisk.off", Is((1, 0), (1, 0))),
+    ("fandisk.off", Must((1, 0))),
     ("kitten.xyz", Must((1, 1))),
-    ("ant.off", Is((1, 0), (1, 0))),
+    ("ant.off", Must((1, 0))),
     ("abc_plate_00000329.obj", Must((1, 3))),
     ("3holes.off", Must((1, 3))),
     ("hotdogs.pts", Must((2, 0))),
@@ -62,12 +61,15 @@ const MODELS: [(&str, Known); 20] = [
 /// A line of the table, and what is wrong with the crust, if anything.
 type Outcome = (String, Option<String>);
 
-/// Reconstructs the points and holds the surface against what is known.
-fn reconstruct(name: &str, points: Points, known: Known) -> Outcome {
+/// Reconstructs the points, with the labels of a mesh if there is one, and holds the surface against what is known.
+fn reconstruct(name: &str, points: Points, mesh: Option<&Complex>, known: Known) -> Outcome {
     let begun = Instant::now();
     let job = Job::default();
     let points = Arc::new(points);
-    let crust = PowerCrust::build(&points, PowerCrustOptions::default(), &job).unwrap();
+    let mut crust = PowerCrust::build(&points, PowerCrustOptions::default(), &job).unwrap();
+    if let Some(mesh) = mesh {
+        crust = crust.labelled_by_mesh(mesh, &job).unwrap();
+    }
     let seconds = begun.elapsed().as_secs_f64();
     let report = crust.validate(&job).unwrap();
     let found = crust.surface().topology(&job).unwrap();
@@ -158,7 +160,40 @@ fn real_models_and_scans() {
     tabulate("model", &MODELS, |&(name, known)| {
         let options = PointsOptions { skip_non_finite: true };
         let points = read_points(folder.join(name), options, &Job::default()).unwrap();
-        reconstruct(name, points, known)
+        reconstruct(name, points, None, known)
+    });
+}
+
+/// Models whose own mesh labels the poles of their vertices.
+///
+/// The plate comes out right, which the rule gets wrong. The bunny and `foot_hole` have holes, which are closed. The shells of the octopus cut into
+/// each other: labels are those of their union, whose sharp creases have no samples, so that crumbs of the three small shells come off.
+const MESHES: [(&str, Known); 9] = [
+    ("abc_plate_00000329.obj", Must((1, 3))),
+    ("octopus.off", Is((4, 0), (7, 4))),
+    ("cavity_and_ring.off", Must((3, 1))),
+    ("stanford-bunny.obj", Must((1, 0))),
+    ("foot_hole.off", Must((1, 0))),
+    ("3holes.off", Must((1, 3))),
+    ("fandisk.off", Must((1, 0))),
+    ("rocker-arm.obj", Must((1, 1))),
+    ("refined_elephant.off", Must((1, 3))),
+];
+
+#[test]
+fn models_labelled_by_their_meshes() {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/data");
+    if !folder.is_dir() {
+        let text =
+            format!("skipped: labels from meshes, since {} is not there\n", folder.display());
+        std::io::stderr().write_all(text.as_bytes()).unwrap();
+        return;
+    }
+    tabulate("labelled by its mesh", &MESHES, |&(name, known)| {
+        let path = folder.join(name);
+        let mesh = read_complex(&path, &Job::default()).unwrap();
+        let points = read_points(&path, PointsOptions::default(), &Job::default()).unwrap();
+        reconstruct(name, points, Some(&mesh), known)
     });
 }
 
@@ -172,6 +207,7 @@ fn built_in_shapes() {
         reconstruct(
             shape.name(),
             points,
+            None,
             if shape.is_smooth() { Must(form) } else { Is(form, form) },
         )
     });

@@ -43,6 +43,15 @@ impl From<Label> for medax_label {
     }
 }
 
+/// The label of this number.
+pub(super) fn label(number: u32) -> Result<Label> {
+    let is_it = |&label: &Label| medax_label::from(label) as u32 == number;
+    [Label::Outer, Label::Inner]
+        .into_iter()
+        .find(is_it)
+        .ok_or_else(|| Error::new(Status::InvalidArgument, format!("{number} is not a label")))
+}
+
 // The labels are shown as they lie in memory.
 const _: () = assert!(Label::Outer as u32 == medax_label::Outer as u32);
 const _: () = assert!(Label::Inner as u32 == medax_label::Inner as u32);
@@ -234,16 +243,9 @@ pub unsafe extern "C" fn medax_power_crust_shape(
     boundary::status(|| {
         let crust = &handle::get(crust, "crust")?.crust;
         let out = Out::new(out_shape, "out_shape")?;
-        let side = [Label::Outer, Label::Inner]
-            .into_iter()
-            .find(|&side| medax_label::from(side) as u32 == label);
-        let shape = match side {
-            Some(Label::Inner) => crust.inner_shape(),
-            Some(Label::Outer) => crust.outer_shape(),
-            None => {
-                let message = format!("{label} is not a label");
-                return Err(Error::new(Status::InvalidArgument, message));
-            }
+        let shape = match self::label(label)? {
+            Label::Inner => crust.inner_shape(),
+            Label::Outer => crust.outer_shape(),
         };
         out.put(complex::give(shape.clone()));
         Ok(())

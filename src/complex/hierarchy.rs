@@ -1,4 +1,5 @@
-//! Simplices in a hierarchy of boxes, for the nearest of them, for those in a box, and for those whose boxes meet.
+//! Simplices in a hierarchy of boxes, for the nearest of them, for those in a box, for those whose boxes meet, and for sums over
+//! all of them in which what is far away counts as one.
 
 use super::Point;
 use super::closest::distance_2;
@@ -10,7 +11,7 @@ use std::ops::Range;
 /// The most simplices in a leaf.
 const LEAF: usize = 4;
 /// More than the depth of any hierarchy: each level halves fewer than 2^32 simplices.
-const DEPTH: usize = 40;
+pub(crate) const DEPTH: usize = 40;
 
 /// Corners and a number.
 #[derive(Clone, Copy, Debug)]
@@ -182,6 +183,25 @@ impl<const N: usize> Hierarchy<N> {
     /// The number of nodes, to be divided among calls of [`Hierarchy::pairs`].
     pub(crate) fn node_count(&self) -> usize {
         self.nodes.len()
+    }
+
+    /// The box of a node.
+    pub(crate) fn bounds(&self, node: usize) -> &Bounds {
+        &self.nodes[node].bounds
+    }
+
+    /// The two halves of a node, which have greater numbers; `None` for a leaf.
+    pub(crate) fn halves(&self, node: usize) -> Option<[usize; 2]> {
+        match self.nodes[node].second {
+            0 => None,
+            second => Some([node + 1, second as usize]),
+        }
+    }
+
+    /// The simplices of a node.
+    pub(crate) fn simplices(&self, node: usize) -> &[Simplex<N>] {
+        let Node { begin, end, .. } = self.nodes[node];
+        &self.simplices[begin as usize..end as usize]
     }
 
     /// Visits every two simplices whose boxes meet, once, where the first is in a leaf among these nodes.

@@ -18,6 +18,7 @@ mod surface;
 mod topology;
 mod triangulated;
 mod validate;
+mod winding;
 
 pub(crate) use answers::answers;
 pub use attribute::{Attribute, Element, Values};

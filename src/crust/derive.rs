@@ -1,7 +1,7 @@
 //! Power crusts of changed balls: other radii, or fewer balls, with the labels that the poles have.
 
 use super::balls::{self, Ball};
-use super::label::{Label, LabelAccount, force, unbounded_poles};
+use super::label::{Label, LabelAccount, force_outer};
 use super::surface::Shards;
 use super::{Balls, PowerCrust};
 use crate::error::{Error, Result, Status};
@@ -52,7 +52,7 @@ impl PowerCrust {
         room.keep(regular.bytes())?;
         run.enter(Stage::Extract)?;
         let mut labels = room.collect(self.labels.iter().copied())?;
-        let forced = force(&unbounded_poles(&regular, &mut room, run)?, &mut labels);
+        let forced = force_outer(&regular, &mut labels, run)?;
         PowerCrust {
             options: self.options,
             poles: self.poles.clone(),

@@ -59,6 +59,8 @@ pub(super) struct Labelling {
 /// How the labels of a power crust came about.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct LabelAccount {
+    /// Whether a host or a mesh gave them: then no rule tells them.
+    pub given: bool,
     /// The number of poles that no label reached, and that are outer for that reason.
     pub unreached: usize,
     /// The number of poles made outer because their power cells are unbounded.
@@ -107,8 +109,17 @@ pub(super) fn label_poles(
     Ok(Labelling { labels, account })
 }
 
-/// Makes the poles with unbounded power cells outer, and returns how many were not.
-pub(super) fn force(unbounded: &[u32], labels: &mut [Label]) -> usize {
+/// Makes the poles with unbounded power cells outer, and returns how many were inner.
+pub(super) fn force_outer(
+    regular: &Triangulation,
+    labels: &mut [Label],
+    run: &Run<'_>,
+) -> Result<usize> {
+    let unbounded = unbounded_poles(regular, &mut Room::new(run), run)?;
+    Ok(force(&unbounded, labels))
+}
+
+fn force(unbounded: &[u32], labels: &mut [Label]) -> usize {
     let mut forced = 0;
     for &pole in unbounded {
         let label = &mut labels[pole as usize];

@@ -15,7 +15,7 @@ use crate::triangulation::Edges;
 use crate::validation::Validation;
 
 impl PowerCrust {
-    /// Checks that the triangulation is that of the poles' balls, that the labels are those of the algorithm, that the surface is closed, that its faces are the power facets between
+    /// Checks that the triangulation is that of the poles' balls, that the labels are those of the algorithm unless they were given, that the surface is closed, that its faces are the power facets between
     /// inner and outer poles, that merging shards changed no topology and moved vertices to their samples, that no inner pole has an unbounded cell, and that the power
     /// shapes are those of the labels. The cells are not looked at: the triangulation has
     /// its own [`validate`](crate::Triangulation::validate). Errors: those of the job. Cost: O(size).
@@ -96,9 +96,9 @@ impl PowerCrust {
     }
 
     /// Labelling once more gives the same labels, those of hidden poles included. Where balls were changed there is nothing to
-    /// compare with: labels were kept.
+    /// compare with, since labels were kept, nor where they were given.
     fn check_labels(&self, report: &mut Validation, run: &Run<'_>) -> Result<()> {
-        if let Balls::Changed(_) = self.balls {
+        if self.account.given || matches!(self.balls, Balls::Changed(_)) {
             return Ok(());
         }
         let again = label_poles(&self.poles, &self.regular, &self.options, run)?;

@@ -1,4 +1,4 @@
-//! Complexes: validity, topology, intersections, orientation, comparison, decimation, flattening.
+//! Complexes: validity, topology, intersections, orientation, comparison, decimation, flattening, winding numbers.
 
 mod compare;
 mod decimate;
@@ -8,3 +8,4 @@ mod models;
 mod orient;
 mod shapes;
 mod topology;
+mod winding;

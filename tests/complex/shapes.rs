@@ -221,6 +221,43 @@ pub fn wrapped_disk(word: &[i32]) -> Builder {
     disk
 }
 
+/// A sphere from an octahedron, its faces quartered so often.
+pub fn sphere(radius: f64, depth: u32) -> Builder {
+    let mut points: Vec<[f64; 3]> = Vec::new();
+    for axis in 0..3 {
+        for sign in [1.0, -1.0] {
+            let mut p = [0.0; 3];
+            p[axis] = sign;
+            points.push(p);
+        }
+    }
+    let mut faces: Vec<[u32; 3]> = Vec::new();
+    for [i, j, k] in [[0, 0, 0], [0, 1, 1], [1, 0, 1], [1, 1, 0]] {
+        faces.push([i, 2 + j, 4 + k]);
+        faces.push([1 - i, 4 + 1 - k, 2 + 1 - j]);
+    }
+    let mut middles = std::collections::BTreeMap::new();
+    for _ in 0..depth {
+        let mut finer = Vec::new();
+        for [a, b, c] in faces {
+            let mut middle = |p: u32, q: u32| {
+                *middles.entry([p.min(q), p.max(q)]).or_insert_with(|| {
+                    let [p, q] = [points[p as usize], points[q as usize]];
+                    let m: [f64; 3] = std::array::from_fn(|i| p[i] + q[i]);
+                    let length = m.iter().map(|x| x * x).sum::<f64>().sqrt();
+                    points.push(m.map(|x| x / length));
+                    points.len() as u32 - 1
+                })
+            };
+            let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
+            finer.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
+        }
+        faces = finer;
+    }
+    let n = points.len();
+    Builder::new(n).faces(&faces).place(|i| points[i].map(|x| radius * x))
+}
+
 /// The facets that bound one cell only, turned outward: the surface of a solid.
 pub fn outer_facets(solid: &Builder) -> Builder {
     let mut count = std::collections::BTreeMap::<Vec<u32>, (usize, Vec<u32>)>::new();

@@ -247,6 +247,16 @@ void crusts() {
 
     const std::string path = "cxx_surface.off";
     CHECK(surface.write(path).count() == 4);
+    std::vector<std::uint32_t> labels(crust.labels().rows());
+    for (std::size_t pole = 0; pole < labels.size(); ++pole) labels[pole] = crust.labels()[pole][0];
+    CHECK(crust.with_labels(labels).surface().faces().rows() == surface.faces().rows());
+    labels.pop_back();
+    CHECK(THROWN(crust.with_labels(labels)).status() == MEDAX_STATUS_MISMATCH);
+    const medax::PowerCrust labelled = crust.labelled_by_mesh(surface);
+    CHECK(labelled.validate().is_valid() && labelled.unreached_count() == 0);
+    CHECK(labelled.surface().faces().rows() == surface.faces().rows());
+    const std::vector<double> numbers = surface.winding_numbers({{3, 3, 3}, {30, 30, 30}});
+    CHECK(numbers.size() == 2 && numbers[0] > 0.99 && numbers[1] < 0.01);
     const medax::PowerCrust larger = crust.offset(0.01);
     CHECK(larger.validate().is_valid() && !larger.surface().faces().empty());
     const medax::Simplified simplified = crust.simplify();

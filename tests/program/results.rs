@@ -1,7 +1,7 @@
 //! What the commands say and write, against the library.
 
 use crate::Place;
-use medax::complex::Element;
+use medax::complex::{Element, Values};
 use medax::crust::PowerCrustOptions;
 use medax::points::PointsOptions;
 use medax::sample::{SampleOptions, Shape, sample};
@@ -25,6 +25,7 @@ fn every_command_answers_with_the_schema() {
         ("decimate crust.ply --ratio 0.25 -o small.ply", "decimate"),
         ("sample capsule -o capsule.xyz", "sample"),
         ("sample crust.ply", "sample"),
+        ("winding crust.ply torus.ply -o winding.ply", "winding"),
     ];
     for (arguments, command) in commands {
         let report = place.json(arguments);
@@ -67,7 +68,7 @@ fn every_command_answers_with_the_schema() {
         }
     }
     let written = ["axis.vtu", "balls.ma", "capsule.xyz", "cells.vtu", "crust.off", "crust.ply"];
-    let more = ["normals.ply", "poles.ply", "small.ply", "torus.ply"];
+    let more = ["normals.ply", "poles.ply", "small.ply", "torus.ply", "winding.ply"];
     assert_eq!(place.names(), [&written[..], &more].concat());
 }
 
@@ -194,6 +195,56 @@ fn flat_tetrahedra_are_counted_and_collapsed() {
     let text = crate::text(&plain.stdout);
     assert!(text.contains("tetrahedra   ") && text.contains(" flat)"), "{text}");
     assert!(text.contains("flattened    ") && text.contains(" tetrahedra collapsed"), "{text}");
+}
+
+#[test]
+fn labels_come_from_a_mesh() {
+    let place = Place::new();
+    // A plate not much thicker than its samples are apart, from a brick of eight vertices.
+    let corner = |i: u32| {
+        let side = |bit: u32, half: f64| if i >> bit & 1 == 0 { -half } else { half };
+        format!("{} {} {}\n", side(0, 1.0), side(1, 0.7), side(2, 0.1))
+    };
+    let rings = ["0 2 3 1", "4 5 7 6", "0 1 5 4", "2 6 7 3", "0 4 6 2", "1 3 7 5"];
+    let off = |rings: &[String]| {
+        let corners: String = (0..8).map(corner).collect();
+        let faces: String = rings.iter().map(|ring| format!("4 {ring}\n")).collect();
+        format!("OFF\n8 6 0\n{corners}{faces}")
+    };
+    place.write("plate.off", off(&rings.map(String::from)));
+    let turned = rings.map(|ring| ring.split(' ').rev().collect::<Vec<_>>().join(" "));
+    place.write("turned.off", off(&turned));
+    place.json("sample plate.off --spacing 0.15 -o in.ply");
+    let by_rule = place.json("crust in.ply -o rule.ply");
+    assert_eq!(by_rule["parameters"]["label_mesh"], Value::Null);
+    let found =
+        place.json("crust in.ply --label-mesh plate.off -o crust.ply --poles poles.ply --validate");
+    assert_eq!(found["parameters"]["label_mesh"], "plate.off");
+    assert_eq!(found["labels"]["unreached"], 0);
+    let topology = &found["outputs"][0]["topology"];
+    assert_eq!(topology["components"], 1);
+    assert_eq!(topology["genus"], 0);
+    assert_ne!(by_rule["labels"]["inner"], found["labels"]["inner"]);
+    // The labels are those of the winding numbers, and an offset keeps them.
+    let told = place.json("winding plate.off poles.ply -o told.ply");
+    assert_eq!(told["winding"]["inside"], found["labels"]["inner"]);
+    assert_eq!(told["mesh"]["path"], "plate.off");
+    let offset = place.json("crust in.ply --label-mesh plate.off --offset 0.05 --validate");
+    assert_eq!(offset["labels"]["inner"], found["labels"]["inner"]);
+    let job = Job::default();
+    let read = |name: &str| io::read_complex(place.path(name), &job).unwrap();
+    let (told, mesh) = (read("told.ply"), read("plate.off"));
+    let expected = mesh.winding_numbers(told.vertices(), &job).unwrap();
+    let numbers = told.attribute(Element::Vertex, "winding").unwrap().values().clone();
+    assert_eq!(numbers, Values::F64(expected));
+    let empty = place.json("crust in.ply --label-mesh turned.off");
+    assert_eq!(empty["labels"]["inner"], 0);
+    let warning = empty["warnings"][0].as_str().unwrap();
+    assert!(warning.contains("turned inside out"), "{warning}");
+    // The input may be the mesh itself.
+    place.json("crust rule.ply --label-mesh rule.ply --validate");
+    let error = place.failure("crust in.ply --label-mesh in.ply", 1);
+    assert_eq!(error["path"], "in.ply");
 }
 
 #[test]

@@ -8,6 +8,7 @@ mod job;
 mod labels;
 mod points;
 mod poles;
+mod relabel;
 mod sets;
 mod sizes;
 mod triangulation;

@@ -108,6 +108,15 @@ public:
         job.check(medax_complex_self_intersections(get(), job.get(), &found));
         return Intersections(found);
     }
+    /// How often the faces wind round each point.
+    std::vector<double> winding_numbers(const std::vector<Point> &queries,
+                                        const Job &job = Job::fresh()) const {
+        std::vector<double> numbers(queries.size());
+        const double *xyz = queries.empty() ? nullptr : queries.front().data();
+        job.check(medax_complex_winding_numbers(get(), xyz, queries.size(), job.get(),
+                                                numbers.data()));
+        return numbers;
+    }
     Complex oriented(const Job &job = Job::fresh()) const {
         const medax_complex *oriented = nullptr;
         job.check(medax_complex_orient(get(), job.get(), &oriented));

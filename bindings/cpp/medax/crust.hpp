@@ -95,6 +95,20 @@ public:
         detail::check(medax_power_crust_both_shapes(get(), &complex));
         return Complex(complex);
     }
+    /// The same poles with other labels, one for each.
+    PowerCrust with_labels(const std::vector<std::uint32_t> &labels,
+                           const Job &job = Job::fresh()) const {
+        const medax_power_crust *crust = nullptr;
+        job.check(medax_power_crust_with_labels(get(), labels.data(), labels.size(), job.get(),
+                                                &crust));
+        return PowerCrust(crust);
+    }
+    /// The same poles, inner where the faces of a mesh wind round them.
+    PowerCrust labelled_by_mesh(const Complex &mesh, const Job &job = Job::fresh()) const {
+        const medax_power_crust *crust = nullptr;
+        job.check(medax_power_crust_labelled_by_mesh(get(), mesh.get(), job.get(), &crust));
+        return PowerCrust(crust);
+    }
     /// An approximate offset surface: outside for a positive distance, inside for a negative one.
     PowerCrust offset(double distance, const Job &job = Job::fresh()) const {
         const medax_power_crust *offset = nullptr;

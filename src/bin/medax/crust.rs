@@ -47,6 +47,10 @@ pub struct Options {
     /// they contradict each other least, or automatically by the latter where the former leaves much conflict
     #[arg(long, value_enum, value_name = "RULE", default_value_t = Rule::Auto)]
     labels: Rule,
+    /// Label the poles by this mesh instead, which may be the input itself: inner where its faces, which must point out of
+    /// the solid, wind round a pole
+    #[arg(long, value_name = "MESH")]
+    label_mesh: Option<PathBuf>,
     #[command(flatten)]
     omit: OmitOptions,
     #[command(flatten)]
@@ -119,7 +123,14 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     let (points, input) = session.points(&options.input, &soup, &options.read)?;
     drop(soup);
     let points_to_measure = options.sizes.read(session)?;
-    let crust = PowerCrust::build(&points, asked, &session.job)?;
+    let mesh = match &options.label_mesh {
+        Some(path) => Some((path, session.read_complex(path)?)),
+        None => None,
+    };
+    let mut crust = PowerCrust::build(&points, asked, &session.job)?;
+    if let Some((path, mesh)) = mesh {
+        crust = crust.labelled_by_mesh(&mesh, &session.job).map_err(Failure::about(path))?;
+    }
     let mut report = Report { command: "crust", input, ..Report::default() };
     options.read.describe(&mut report.parameters);
     options.output.describe(&mut report.parameters);
@@ -131,6 +142,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
         ("labels", json!(rule_name)),
         ("triangles", json!(options.triangles)),
         ("side", json!(options.side.name())),
+        ("label_mesh", json!(options.label_mesh.as_ref().map(|path| path.to_string_lossy()))),
     ] {
         report.parameters.insert(name.into(), value);
     }
@@ -146,9 +158,12 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     }
     options.flatten.describe(&crust, &mut report);
     if crust.surface().faces().is_empty() {
-        session.warn(
-            "no pole is inner, so the surface is empty: the sample is too sparse for its shape",
-        );
+        session.warn(match options.label_mesh {
+            None => "no pole is inner, so the surface is empty: the sample is too sparse for its shape",
+            Some(_) => {
+                "no pole is inner, so the surface is empty: the mesh winds round none; it may be turned inside out, or be elsewhere"
+            }
+        });
     }
 
     let open = options.variants.opened(&crust, &mut report, session)?;

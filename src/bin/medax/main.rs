@@ -17,6 +17,7 @@ mod session;
 mod sizes;
 mod triangulate;
 mod variants;
+mod winding;
 
 use clap::Parser;
 use report::Report;
@@ -42,6 +43,7 @@ enum Command {
     Compare(compare::Options),
     Decimate(decimate::Options),
     Sample(sample::Options),
+    Winding(winding::Options),
 }
 
 impl Command {
@@ -54,6 +56,7 @@ impl Command {
             Command::Compare(options) => compare::run(options, session),
             Command::Decimate(options) => decimate::run(options, session),
             Command::Sample(options) => sample::run(options, session),
+            Command::Winding(options) => winding::run(options, session),
         }
     }
 }
