@@ -5,7 +5,7 @@ use super::{Attribute, Complex, ComplexParts, Element, Point, Rows, Values};
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
 use crate::job::{Job, Room, Run, Stage};
-use crate::vector::{Vec3, cross, dot, length, sub};
+use crate::vector::{Vec3, cross, dot, sub};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -80,30 +80,51 @@ impl Complex {
 /// How flat a tetrahedron is: its least altitude relative to its longest edge. 0 where its corners lie in a plane, 0.816 if it is
 /// regular, which is the most.
 pub(crate) fn flatness(corners: [Point; 4]) -> f64 {
-    let (altitudes, longest, _) = altitudes(corners);
-    let least = altitudes.into_iter().fold(f64::INFINITY, f64::min);
-    if least < f64::INFINITY { least / longest } else { 0.0 }
+    Form::new(corners).flatness()
 }
 
-/// The altitude of each corner over the triangle opposite, infinite where that has no area; the longest edge; and the power of two that
-/// both are scaled by.
-fn altitudes(corners: [Point; 4]) -> ([f64; 4], f64, f64) {
-    // Halves, as the difference may leave the range of an f64.
-    let [a, b, c, d] = corners.map(|p| p.map(|x| 0.5 * x));
-    let edges = [sub(b, a), sub(c, a), sub(d, a), sub(c, b), sub(d, b), sub(d, c)];
-    let largest = edges.iter().flatten().fold(0.0, |largest: f64, x| largest.max(x.abs()));
-    // Of order 1, so that products neither overflow nor vanish.
-    let exponent = ((largest.to_bits() >> 52) as i64 - 1023).clamp(-1021, 1021);
-    let scale = f64::from_bits(((1023 - exponent) as u64) << 52);
-    let [ab, ac, ad, bc, bd, cd] = edges.map(|edge| edge.map(|x| scale * x));
-    let volume = dot(ab, cross(ac, ad)).abs();
-    let altitude = |u: Vec3, v: Vec3| match length(cross(u, v)) {
-        area if area > 0.0 => volume / area,
-        _ => f64::INFINITY,
-    };
-    let altitudes = [altitude(bc, bd), altitude(ac, ad), altitude(ab, ad), altitude(ab, ac)];
-    let longest = [ab, ac, ad, bc, bd, cd].map(length).into_iter().fold(0.0, f64::max);
-    (altitudes, longest, 0.5 * scale)
+/// The measures of a tetrahedron that is scaled to be of order 1, so that products of them neither overflow nor vanish.
+struct Form {
+    /// Six times the volume.
+    volume: f64,
+    /// The square of twice the area of the facet opposite each corner.
+    areas: [f64; 4],
+    /// The square of the longest edge.
+    longest: f64,
+    /// A power of two, by which lengths are scaled.
+    scale: f64,
+}
+
+impl Form {
+    fn new(corners: [Point; 4]) -> Self {
+        // Halves, as the difference may leave the range of an f64.
+        let [a, b, c, d] = corners.map(|p| p.map(|x| 0.5 * x));
+        let edges = [sub(b, a), sub(c, a), sub(d, a), sub(c, b), sub(d, b), sub(d, c)];
+        let largest = edges.as_flattened().iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let exponent = ((largest.to_bits() >> 52) as i64 - 1023).clamp(-1021, 1021);
+        let scale = f64::from_bits(((1023 - exponent) as u64) << 52);
+        let [ab, ac, ad, bc, bd, cd] = edges.map(|edge| edge.map(|x| scale * x));
+        let square = |v: Vec3| dot(v, v);
+        let base = cross(ac, ad);
+        let normals = [cross(bc, bd), base, cross(ab, ad), cross(ab, ac)];
+        Form {
+            volume: dot(ab, base).abs(),
+            areas: normals.map(square),
+            longest: [ab, ac, ad, bc, bd, cd].map(square).into_iter().fold(0.0, f64::max),
+            scale: 0.5 * scale,
+        }
+    }
+
+    fn flatness(&self) -> f64 {
+        let largest = self.areas.into_iter().fold(0.0, f64::max);
+        if largest > 0.0 { self.volume / (largest * self.longest).sqrt() } else { 0.0 }
+    }
+
+    /// How far a corner is from the plane of the facet opposite, infinitely where that has no area.
+    fn altitude(&self, corner: usize) -> f64 {
+        let area = self.areas[corner].sqrt();
+        if area > 0.0 { self.volume / area / self.scale } else { f64::INFINITY }
+    }
 }
 
 /// A collapse that can be made: the bits of the altitude, which order as it does; the cell; and the facet's place among those of the cell.
@@ -152,10 +173,9 @@ impl<'a> Work<'a> {
             let cell = cell?;
             let &[a, b, c, d] = work.corners(cell) else { continue };
             let at = |v: u32| complex.vertices[v as usize];
-            let corners = [a, b, c, d].map(at);
-            if flatness(corners) <= limit {
-                let (altitudes, _, scale) = altitudes(corners);
-                let over = std::array::from_fn(|k| altitudes[work.opposite(cell, k)] / scale);
+            let form = Form::new([a, b, c, d].map(at));
+            if form.flatness() <= limit {
+                let over = std::array::from_fn(|k| form.altitude(work.opposite(cell, k)));
                 room.push(&mut work.altitudes, (cell as u32, over))?;
             }
         }

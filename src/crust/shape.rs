@@ -64,10 +64,11 @@ pub(super) fn extract(
         let angles = room.collect(poles_of.iter().map(|&p| poles.object_angles()[p as usize]))?;
         let labels = room.filled(of_side.len(), side as u32)?;
         let Facets { faces, cells } = facets(regular, division, side, &number, &mut room, run)?;
-        let flat = flatness_of(&cells, of_side, regular, &mut room, run)?;
+        let at = room.collect(of_side.iter().map(|&v| regular.coords()[v as usize]))?;
+        let flat = flatness_of(&cells, &at, &mut room, run)?;
         let loose = loose.iter().map(|(edges, _)| &edges[side as usize][..]);
         let parts = ComplexParts {
-            vertices: room.collect(of_side.iter().map(|&v| regular.coords()[v as usize]))?,
+            vertices: at,
             edges: joined(loose, &mut room, run)?,
             cell_types: room.filled(cells.len(), CellType::Tetrahedron)?,
             cells: Rows::uniform_in(cells, &mut room)?,
@@ -135,11 +136,10 @@ fn facets(
     Ok(Facets { faces, cells })
 }
 
-/// How flat each tetrahedron is, given the vertex of the triangulation for each of the shape.
+/// How flat each tetrahedron is.
 fn flatness_of(
     cells: &[[u32; 4]],
-    vertices: &[u32],
-    regular: &Triangulation,
+    vertices: &[[f64; 3]],
     room: &mut Room<'_>,
     run: &Run<'_>,
 ) -> Result<Vec<f64>> {
@@ -148,7 +148,7 @@ fn flatness_of(
     run.in_parallel(chunks, |(flat, cells)| {
         run.poll()?;
         for (flat, corners) in flat.iter_mut().zip(cells) {
-            *flat = flatness(corners.map(|v| regular.coords()[vertices[v as usize] as usize]));
+            *flat = flatness(corners.map(|v| vertices[v as usize]));
         }
         Ok(())
     })?;
