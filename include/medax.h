@@ -2375,7 +2375,7 @@ medax_status medax_power_crust_open(const medax_power_crust *crust,
                                     const medax_complex **out_surface,
                                     const medax_complex **out_left_out);
 
-/* ---- 14. Sizes --------------------------------------------------------------------------------
+/* ---- 15. Sizes --------------------------------------------------------------------------------
  *
  * Two lengths that a power crust knows of any point. The local feature size is the distance to the medial axis, estimated by that to
  * the nearest pole: a mesh with edges in proportion to it follows the surface (Amenta, Bern 1999, Surface reconstruction by Voronoi
@@ -2445,7 +2445,7 @@ medax_status medax_power_crust_with_sizes(const medax_power_crust *crust,
                                           const medax_job *job,
                                           const medax_complex **out_complex);
 
-/* ---- 15. Complex ------------------------------------------------------------------------------
+/* ---- 16. Complex ------------------------------------------------------------------------------
  *
  * The one output type: vertices; faces, which are polygons; loose edges, which are no side of a
  * face; volume cells; named attributes on each of them; and the faces cut into triangles.
@@ -2722,7 +2722,7 @@ MEDAX_API const medax_complex *medax_complex_clone(const medax_complex *complex)
  */
 MEDAX_API void medax_complex_free(const medax_complex *complex);
 
-/* ---- 16. Topology -----------------------------------------------------------------------------
+/* ---- 17. Topology -----------------------------------------------------------------------------
  *
  * What a complex is as a set of elements that share others, told from its indices alone: vertices
  * that merely lie at the same place are different vertices. And what its coordinates make of that: measures, triangles that intersect.
@@ -2929,8 +2929,7 @@ medax_status medax_complex_validate(const medax_complex *complex,
                                     const medax_job *job,
                                     medax_validation *out_report);
 
-/* ---- 17. Comparison ---------------------------------------------------------------------------
-/* ---- 17. Winding numbers ----------------------------------------------------------------------
+/* ---- 18. Winding numbers ----------------------------------------------------------------------
  *
  * How often the faces of a complex wind round a point: 1 inside a closed surface whose faces point out, 0 outside of it.
  * (Jacobson, Kavan, Sorkine-Hornung 2013, Robust inside-outside segmentation using generalized winding numbers.)
@@ -2960,7 +2959,7 @@ medax_status medax_complex_winding_numbers(const medax_complex *complex,
                                            const medax_job *job,
                                            double *out_numbers);
 
-/* ---- 18. Comparison ---------------------------------------------------------------------------
+/* ---- 19. Comparison ---------------------------------------------------------------------------
  *
  * How far two complexes are apart as sets of points: their faces, loose edges and cells, which are
  * solid; or their vertices, where they have none of these.
@@ -3057,8 +3056,7 @@ medax_status medax_complex_compare(const medax_complex *a,
                                    const medax_job *job,
                                    medax_comparison *out_report);
 
-/* ---- 18. Decimation ---------------------------------------------------------------------------
-/* ---- 19. Decimation ---------------------------------------------------------------------------
+/* ---- 20. Decimation ---------------------------------------------------------------------------
  *
  * Fewer triangles for the same surface.
  */
@@ -3117,7 +3115,7 @@ medax_status medax_complex_decimate(const medax_complex *complex,
                                     const medax_job *job,
                                     const medax_complex **out_decimated);
 
-/* ---- 19. Flattening ---------------------------------------------------------------------------
+/* ---- 21. Flattening ---------------------------------------------------------------------------
  *
  * Power shapes have tetrahedra, most of them flat: these collapse to their triangles, and the homotopy type stays.
  */
@@ -3226,7 +3224,7 @@ MEDAX_API const medax_flattened *medax_flattened_clone(const medax_flattened *fl
  */
 MEDAX_API void medax_flattened_free(const medax_flattened *flattened);
 
-/* ---- 20. File contents ------------------------------------------------------------------------
+/* ---- 22. File contents ------------------------------------------------------------------------
  *
  * What a file holds, before points or a complex are made of it. Reading trusts nothing, and an error
  * names the line of a text or the byte of a binary file. The ending of a path names the format:
@@ -3402,7 +3400,7 @@ MEDAX_API const medax_file *medax_file_clone(const medax_file *file);
  */
 MEDAX_API void medax_file_free(const medax_file *file);
 
-/* ---- 21. Reading and writing ------------------------------------------------------------------
+/* ---- 23. Reading and writing ------------------------------------------------------------------
  *
  * Written are PLY, OFF, OBJ, STL, XYZ, PTS, TXT, CSV, MA and VTU, by the ending of the path, to a
  * file beside the given name, which is moved into place when it is complete: after an error, a file
@@ -3553,7 +3551,7 @@ MEDAX_API const medax_warnings *medax_warnings_clone(const medax_warnings *warni
  */
 MEDAX_API void medax_warnings_free(const medax_warnings *warnings);
 
-/* ---- 22. Samples ------------------------------------------------------------------------------
+/* ---- 24. Samples ------------------------------------------------------------------------------
  *
  * Points of the surfaces of built-in shapes and of meshes, evenly spread: no two are nearer than
  * the spacing. The same options give the same points on every machine.
