@@ -1873,6 +1873,19 @@ typedef struct {
      * A #medax_label_rule: how poles are labelled. `MEDAX_LABEL_RULE_AUTO` by default.
      */
     uint32_t label_rule;
+    /**
+     * Where the scanner of a one-sided scan was, if `has_viewpoint` is 1: what it sees a sample from is outside, and labels
+     * spread from there instead of from the far box.
+     */
+    double viewpoint[3];
+    /**
+     * 1 if there is a viewpoint; 0, the default, if not.
+     */
+    uint32_t has_viewpoint;
+    /**
+     * Must be 0.
+     */
+    uint32_t reserved;
 } medax_power_crust_options;
 
 /**

@@ -113,12 +113,19 @@ pub struct medax_power_crust_options {
     pub omit: u32,
     /// A #medax_label_rule: how poles are labelled. `MEDAX_LABEL_RULE_AUTO` by default.
     pub label_rule: u32,
+    /// Where the scanner of a one-sided scan was, if `has_viewpoint` is 1: what it sees a sample from is outside, and labels
+    /// spread from there instead of from the far box.
+    pub viewpoint: [f64; 3],
+    /// 1 if there is a viewpoint; 0, the default, if not.
+    pub has_viewpoint: u32,
+    /// Must be 0.
+    pub reserved: u32,
 }
 
 sized_struct!(medax_power_crust_options,
-    first_size: size_of::<medax_power_crust_options>(), reserved: none,
+    first_size: size_of::<medax_power_crust_options>(), reserved: reserved,
     { deep: f64 = 0.4, lambda: f64 = 0.0, round_poles: u32 = 0, keep_shards: u32 = 0, omit: u32 = 0,
-      label_rule: u32 = 0 });
+      label_rule: u32 = 0, viewpoint: [f64; 3] = [0.0; 3], has_viewpoint: u32 = 0, reserved: u32 = 0 });
 
 impl medax_power_crust_options {
     fn translate(&self) -> Result<PowerCrustOptions> {
@@ -126,7 +133,10 @@ impl medax_power_crust_options {
         let keep_shards = options::flag(self.keep_shards, "keep_shards")?;
         let poles = poles::omission(self.omit, self.lambda)?;
         let label_rule = label_rule(self.label_rule)?;
-        Ok(PowerCrustOptions { deep: self.deep, round_poles, keep_shards, label_rule, poles })
+        let viewpoint =
+            options::flag(self.has_viewpoint, "has_viewpoint")?.then_some(self.viewpoint);
+        let deep = self.deep;
+        Ok(PowerCrustOptions { deep, round_poles, keep_shards, label_rule, viewpoint, poles })
     }
 }
 

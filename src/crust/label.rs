@@ -82,14 +82,26 @@ pub(super) fn label_poles(
     let links = Links::of_poles(poles, regular, options, run)?;
     room.keep(links.bytes())?;
     run.tick(1, 2)?;
-    let spread = spread(&links, poles.touches_far_box(), &mut room, run)?;
+    let unbounded = unbounded_poles(regular, &mut room, run)?;
+    let mut outside = room.filled(links.count(), false)?;
+    match options.viewpoint {
+        None => outside.copy_from_slice(poles.touches_far_box()),
+        Some(_) => outside[poles.len()] = true,
+    }
+    let mut sources = room.collect(outside.iter().copied())?;
+    for &pole in &unbounded {
+        outside[pole as usize] = true;
+    }
+    if options.viewpoint.is_some() {
+        sources.copy_from_slice(&outside);
+    }
+    let spread = spread(&links, &sources, &mut room, run)?;
     let mut account = LabelAccount {
         unreached: spread.iter().filter(|label| label.is_none()).count(),
         ..LabelAccount::default()
     };
     let labelled = spread.iter().map(|label| label.unwrap_or(Label::Outer));
     let mut labels: Vec<Label> = room.collect(labelled)?;
-    let unbounded = unbounded_poles(regular, &mut room, run)?;
     let limit = match options.label_rule {
         LabelRule::Auto => CONFLICT_LIMIT,
         LabelRule::Spread => f64::INFINITY,
@@ -97,14 +109,11 @@ pub(super) fn label_poles(
     };
     account.conflict = conflict::of(&links, &labels, run)?;
     if account.conflict > limit {
-        let mut outer = room.collect(poles.touches_far_box().iter().copied())?;
-        for &pole in &unbounded {
-            outer[pole as usize] = true;
-        }
-        conflict::settle(&links, &outer, &mut labels, run)?;
+        conflict::settle(&links, &outside, &mut labels, run)?;
         account.conflict = conflict::of(&links, &labels, run)?;
         account.settled = true;
     }
+    labels.truncate(poles.len());
     account.forced = force(&unbounded, &mut labels);
     Ok(Labelling { labels, account })
 }

@@ -1,4 +1,4 @@
-//! What ties the labels of two poles: a sample that has both, or balls that intersect deeply (Amenta, Choi, Kolluri 2001,
+//! What ties the labels of two poles: a sample that has both, or balls that intersect deeply; and a pole with the place that sees its samples (Amenta, Choi, Kolluri 2001,
 //! section 5.2).
 
 use super::PowerCrustOptions;
@@ -37,7 +37,7 @@ pub(super) struct Links {
 }
 
 impl Links {
-    /// All links of labelled poles.
+    /// All links of labelled poles. The viewpoint, if there is one, counts as a pole after all others.
     pub fn of_poles(
         poles: &Poles,
         regular: &Triangulation,
@@ -53,7 +53,12 @@ impl Links {
         })?;
         let (deep, rooms): (Vec<_>, Vec<_>) = deep.into_iter().unzip();
         parts.extend(deep);
-        let links = Links::new(poles.len(), &parts, &mut room, run)?;
+        let mut count = poles.len();
+        if let Some(viewpoint) = options.viewpoint {
+            parts.push(sight_links(poles, viewpoint, &mut room, run)?);
+            count += 1;
+        }
+        let links = Links::new(count, &parts, &mut room, run)?;
         drop(rooms);
         Ok(links)
     }
@@ -63,7 +68,7 @@ impl Links {
         size_of_val(&self.offsets[..]) + size_of_val(&self.links[..])
     }
 
-    /// The number of poles.
+    /// The number of poles, and one more for the viewpoint if there is one.
     pub fn count(&self) -> usize {
         self.offsets.len() - 2
     }
@@ -122,6 +127,39 @@ fn sample_links(poles: &Poles, room: &mut Room<'_>, run: &Run<'_>) -> Result<Vec
         if cosine < 0.0 {
             links.push((p, q, cosine.max(-1.0)));
         }
+    }
+    Ok(links)
+}
+
+/// Each pole with the viewpoint, by the mean cosine over its samples of the angle between the directions to either: a pole on this side
+/// of the surface has the viewpoint's label, one behind it the other.
+fn sight_links(
+    poles: &Poles,
+    viewpoint: [f64; 3],
+    room: &mut Room<'_>,
+    run: &Run<'_>,
+) -> Result<Vec<(u32, u32, f64)>> {
+    let coords = poles.triangulation().coords();
+    let mut sums = room.filled(poles.len(), (0.0, 0.0))?;
+    for pair in run.watch(poles.pole_of_sample().iter().zip(coords)) {
+        let (&pair, sample) = pair?;
+        let sight: [f64; 3] = std::array::from_fn(|k| viewpoint[k] - sample[k]);
+        for pole in pair.into_iter().filter(|&pole| pole != NONE) {
+            let ball = &poles.balls()[pole as usize];
+            let to: [f64; 3] = std::array::from_fn(|k| ball[k] - sample[k]);
+            let cosine = dot(to, sight) / (dot(to, to).sqrt() * dot(sight, sight).sqrt());
+            // A sample where the viewpoint is tells nothing.
+            if cosine.is_finite() {
+                let (sum, count) = &mut sums[pole as usize];
+                *sum += cosine;
+                *count += 1.0;
+            }
+        }
+    }
+    let mut links = room.vec(poles.len())?;
+    for (pole, &(sum, count)) in sums.iter().enumerate().filter(|(_, (sum, _))| *sum != 0.0) {
+        let weight = f64::clamp(sum / count, -1.0, 1.0);
+        links.push((pole as u32, poles.len() as u32, weight));
     }
     Ok(links)
 }

@@ -62,6 +62,11 @@ pub struct PowerCrustOptions {
     pub keep_shards: bool,
     /// How poles are labelled.
     pub label_rule: LabelRule,
+    /// Where the scanner of a one-sided scan was: what it sees a sample from is outside. None by default.
+    ///
+    /// Labels then spread from there, and not from the far box, since what lies behind a wall that was seen from one side only is not outside. Each
+    /// pole is linked with the viewpoint by the mean cosine, over its samples, of the angle between the direction to the pole and that to the viewpoint.
+    pub viewpoint: Option<[f64; 3]>,
     /// Which poles are left out, where the poles have not been chosen yet.
     pub poles: PolesOptions,
 }
@@ -73,6 +78,7 @@ impl Default for PowerCrustOptions {
             round_poles: false,
             keep_shards: false,
             label_rule: LabelRule::Auto,
+            viewpoint: None,
             poles: PolesOptions::default(),
         }
     }
@@ -156,6 +162,9 @@ impl PowerCrust {
                 Status::InvalidArgument,
                 "the depth of a deep intersection is -cos of an angle and lies in [0, 1]",
             ));
+        }
+        if options.viewpoint.is_some_and(|at| at.iter().any(|x| !x.is_finite())) {
+            return Err(Error::new(Status::InvalidArgument, "the viewpoint must be finite"));
         }
         if !poles.has_far_box() {
             return Err(Error::new(

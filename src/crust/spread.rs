@@ -14,24 +14,24 @@ fn priority([outer, inner]: Belief) -> f64 {
     if inner > 0.0 && outer > 0.0 { (inner - outer).abs() - 1.0 } else { inner.max(outer) }
 }
 
-/// The label of every pole that labels reach, given those that touch the far box.
+/// The label of every pole that labels reach, given those that are outside.
 ///
 /// A pole enters the queue when a label first reaches it, as in the authors' program: Figure 8
 /// read literally would label unreached poles, with priority 0, before the confused ones that might
 /// still reach them. Cost: O((p + links) log p).
 pub(super) fn spread(
     links: &Links,
-    touches_far_box: &[bool],
+    outside: &[bool],
     room: &mut Room<'_>,
     run: &Run<'_>,
 ) -> Result<Vec<Option<Label>>> {
-    let count = touches_far_box.len();
+    let count = outside.len();
     let mut beliefs = room.filled(count, Belief::default())?;
     let mut labels: Vec<Option<Label>> = room.filled(count, None)?;
     let mut queue = Queue::new(count, room)?;
     for pole in run.watch(0..count as u32) {
         let pole = pole?;
-        if touches_far_box[pole as usize] {
+        if outside[pole as usize] {
             beliefs[pole as usize][Label::Outer as usize] = 1.0;
             queue.put(pole, 1.0);
         }

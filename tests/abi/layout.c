@@ -91,7 +91,7 @@ FIELD(medax_poles_options, lambda, 8);
 FIELD(medax_poles_options, omit, 16);
 FIELD(medax_poles_options, reserved, 20);
 
-SIZE(medax_power_crust_options, 40);
+SIZE(medax_power_crust_options, 72);
 FIELD(medax_power_crust_options, struct_size, 0);
 FIELD(medax_power_crust_options, deep, 8);
 FIELD(medax_power_crust_options, lambda, 16);
@@ -99,6 +99,9 @@ FIELD(medax_power_crust_options, round_poles, 24);
 FIELD(medax_power_crust_options, keep_shards, 28);
 FIELD(medax_power_crust_options, omit, 32);
 FIELD(medax_power_crust_options, label_rule, 36);
+FIELD(medax_power_crust_options, viewpoint, 40);
+FIELD(medax_power_crust_options, has_viewpoint, 64);
+FIELD(medax_power_crust_options, reserved, 68);
 
 SIZE(medax_simplify_options, 24);
 FIELD(medax_simplify_options, struct_size, 0);

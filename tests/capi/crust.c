@@ -55,6 +55,15 @@ static void refusals(void) {
     options.label_rule = 3;
     CHECK_STATUS(INVALID_ARGUMENT, medax_power_crust_build(points, &options, NULL, &crust));
     options.label_rule = MEDAX_LABEL_RULE_AUTO;
+    options.has_viewpoint = 2;
+    CHECK_STATUS(INVALID_ARGUMENT, medax_power_crust_build(points, &options, NULL, &crust));
+    options.has_viewpoint = 1;
+    options.viewpoint[1] = nan;
+    CHECK_STATUS(INVALID_ARGUMENT, medax_power_crust_build(points, &options, NULL, &crust));
+    options.has_viewpoint = 0;
+    options.reserved = 1;
+    CHECK_STATUS(INVALID_ARGUMENT, medax_power_crust_build(points, &options, NULL, &crust));
+    options.reserved = 0;
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
         options.deep = bad[i];
         CHECK_STATUS(INVALID_ARGUMENT, medax_power_crust_build(points, &options, NULL, &crust));

@@ -1,8 +1,8 @@
 //! Labels of samples that are noisy and have gaps.
 
 use crate::sets::Random;
-use medax::crust::{CONFLICT_LIMIT, LabelRule, PowerCrustOptions};
-use medax::{Job, Points, PowerCrust};
+use medax::crust::{CONFLICT_LIMIT, Label, LabelRule, PowerCrustOptions};
+use medax::{Job, NONE, Points, PowerCrust, Status};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -65,4 +65,57 @@ fn labels_of_dense_samples_are_those_of_the_paper() {
         assert!(auto.conflict() < CONFLICT_LIMIT / 10.0 && !auto.is_settled());
         assert_eq!(auto.labels(), spread.labels());
     }
+}
+
+/// A depth image, taken from the origin, of a wall 3 away with a box before it; depths are rounded to the step.
+fn depth_image(step: f64) -> Arc<Points> {
+    let mut rows = Vec::new();
+    for i in -40..40 {
+        for j in -40..40 {
+            let [x, y] = [i, j].map(|i| f64::from(i) / 50.0);
+            let depth: f64 = if x.abs() < 0.3 && y.abs() < 0.25 { 2.4 } else { 3.0 + 0.4 * x };
+            let depth = (depth / step).round() * step;
+            rows.push([x * depth, y * depth, depth]);
+        }
+    }
+    points(&rows)
+}
+
+/// Of the samples with two poles the share whose pole towards the origin is outer and the other inner.
+fn seen_from_origin(crust: &PowerCrust) -> f64 {
+    let coords = crust.poles().triangulation().coords();
+    let (mut all, mut right) = (0, 0);
+    for (sample, &pair) in coords.iter().zip(crust.poles().pole_of_sample()) {
+        if pair.contains(&NONE) {
+            continue;
+        }
+        let towards = |pole: u32| -> f64 {
+            let ball = crust.poles().balls()[pole as usize];
+            (0..3).map(|k| (ball[k] - sample[k]) * -sample[k]).sum()
+        };
+        let label = |pole: u32| crust.labels()[pole as usize];
+        let [front, back] =
+            if towards(pair[0]) > towards(pair[1]) { pair } else { [pair[1], pair[0]] };
+        all += 1;
+        right += u32::from(label(front) == Label::Outer && label(back) == Label::Inner);
+    }
+    f64::from(right) / f64::from(all)
+}
+
+#[test]
+fn what_the_scanner_sees_is_outside() {
+    let points = depth_image(0.01);
+    let from = |viewpoint| {
+        let options = PowerCrustOptions { viewpoint, ..Default::default() };
+        let crust = PowerCrust::build(&points, options, &Job::default()).unwrap();
+        let report = crust.validate(&Job::default()).unwrap();
+        assert!(report.is_valid(), "{:?}", report.first);
+        crust
+    };
+    let [blind, seeing] = [None, Some([0.0; 3])].map(from);
+    assert!(seen_from_origin(&seeing) > 0.9);
+    assert!(seen_from_origin(&blind) < 0.8);
+    let nowhere = PowerCrustOptions { viewpoint: Some([f64::NAN; 3]), ..Default::default() };
+    let error = PowerCrust::build(&points, nowhere, &Job::default()).unwrap_err();
+    assert_eq!(error.status(), Status::InvalidArgument);
 }

@@ -47,6 +47,9 @@ pub struct Options {
     /// they contradict each other least, or automatically by the latter where the former leaves much conflict
     #[arg(long, value_enum, value_name = "RULE", default_value_t = Rule::Auto)]
     labels: Rule,
+    /// Where the scanner of a one-sided scan was: what it sees is the outside
+    #[arg(long, num_args = 3, allow_negative_numbers = true, value_names = ["X", "Y", "Z"])]
+    viewpoint: Option<Vec<f64>>,
     /// Label the poles by this mesh instead, which may be the input itself: inner where its faces, which must point out of
     /// the solid, wind round a pole
     #[arg(long, value_name = "MESH")]
@@ -118,6 +121,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     asked.keep_shards = options.keep_shards;
     let (rule, rule_name) = options.labels.translate();
     asked.label_rule = rule;
+    asked.viewpoint = options.viewpoint.as_ref().map(|at| [at[0], at[1], at[2]]);
     asked.poles = options.omit.translate()?;
     let soup = session.read(&options.input)?;
     let (points, input) = session.points(&options.input, &soup, &options.read)?;
@@ -140,6 +144,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
         ("round_poles", json!(options.round_poles)),
         ("keep_shards", json!(options.keep_shards)),
         ("labels", json!(rule_name)),
+        ("viewpoint", json!(options.viewpoint)),
         ("triangles", json!(options.triangles)),
         ("side", json!(options.side.name())),
         ("label_mesh", json!(options.label_mesh.as_ref().map(|path| path.to_string_lossy()))),
