@@ -17,8 +17,6 @@ use std::f64::consts::PI;
 const BETA: f64 = 3.0;
 /// The queries between two reports.
 const BATCH: usize = 256;
-/// Beyond any box, and not so far that powers overflow.
-const FAR: f64 = 1e50;
 
 impl Complex {
     /// The generalised winding number of the faces round each query: the sum of the solid angles of the triangles seen from there, by 4 pi
@@ -116,7 +114,8 @@ impl Winding {
 
     /// The winding number round a point.
     fn number(&self, query: Point, run: &Run<'_>) -> Result<f64> {
-        let point = self.frame.scaled(query).map(|x| x.clamp(-FAR, FAR));
+        // What scaling makes infinite is as far away as can be.
+        let point = self.frame.scaled(query).map(|x| x.clamp(-f64::MAX, f64::MAX));
         let (mut far, mut near) = (0.0, 0.0);
         let mut waiting = [0; DEPTH];
         let mut count = 1;

@@ -53,7 +53,8 @@ static const medax_complex *mesh(int inward) {
             ring[inward ? 3 : 1] = a + LONGITUDES;
             ring[2] = b + LONGITUDES;
             ring[inward ? 1 : 3] = b;
-            offsets[++faces] = (uint32_t)(4 * faces);
+            ++faces;
+            offsets[faces] = (uint32_t)(4 * faces);
         }
     medax_complex_parts_init(&parts, sizeof parts);
     parts.vertices = xyz;
