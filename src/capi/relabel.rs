@@ -51,8 +51,8 @@ pub unsafe extern "C" fn medax_power_crust_with_labels(
 /// The same poles, labelled by a mesh: inner are those round whose centres its faces wind more than half a time, by
 /// #medax_complex_winding_numbers.
 ///
-/// Faces must point out of the solid, and those of voids into them; where shells overlap is inside. Holes are closed by something in
-/// between. Of a mesh that is turned inside out no pole is inner, and the surface is empty: #medax_complex_orient turns it. The samples need not
+/// Faces must point out of the solid, and those of voids into them; where shells overlap is inside. Holes are closed where the number passes through
+/// one half. Of a mesh that is turned inside out no pole is inner, and the surface is empty: #medax_complex_orient turns it. The samples need not
 /// be the mesh's vertices. The rest is as for #medax_power_crust_with_labels.
 ///
 /// \param crust The power crust.

@@ -37,8 +37,7 @@ impl PowerCrust {
     /// [`Complex::winding_numbers`].
     ///
     /// Faces must point out of the solid, and those of voids into them. A pole is inner also where shells overlap, so that the solid is
-    /// their union. A mesh with holes does as well, as if they were closed by something in between; what is beyond a hole that is as wide as the
-    /// mesh is outer. Of a mesh that is turned inside out no pole is inner, and the surface is empty:
+    /// their union. A mesh with holes does as well: each is closed where the number passes through one half. Of a mesh that is turned inside out no pole is inner, and the surface is empty:
     /// [`Complex::oriented`] turns it. The samples need not be the mesh's vertices. The rest is as for [`PowerCrust::with_labels`].
     ///
     /// Errors: [`Status::InvalidArgument`] for a mesh without faces, and those of the job. Cost: that of the winding numbers, O(p log n) for n triangles
