@@ -2072,7 +2072,7 @@ MEDAX_API size_t medax_power_crust_forced_count(const medax_power_crust *crust);
  * balls that intersect deeply, which ask for the same.
  *
  * \param crust The power crust; NULL has none.
- * \return The conflict, 0 where labels were given: 1e-3 and less where a sample is dense; near 0.1 the solid is a guess.
+ * \return The conflict: 1e-3 and less where a sample is dense; near 0.1 the solid is a guess.
  *
  * Constant time. Since 0.1.
  */

@@ -46,13 +46,17 @@ pub(super) fn triangulate(
 /// A centre and a weight.
 pub(super) type Ball = ([f64; 3], f64);
 
-/// The regular triangulation of the balls of some poles, whose numbers are the rows of its points.
+/// The regular triangulation of the balls of some poles, whose numbers are the rows of its points: of all, or of those that a variant leaves.
 pub(super) fn regular(
     poles: &Poles,
     ball: impl Fn(usize) -> Option<Ball> + Sync,
     run: &Run<'_>,
 ) -> Result<Triangulation> {
-    let of_poles = |error: Error| of_poles(error, poles.len());
+    let left = (0..poles.len()).filter(|&pole| ball(pole).is_some()).count();
+    let of_poles = |error: Error| match left == poles.len() {
+        true => of_poles(error, left),
+        false => of_balls_left(error, left),
+    };
     let center = |pole: usize| ball(pole).map(|(center, _)| center);
     let points = Points::by_row_in(poles.len(), center, PointsOptions::default(), run);
     let points = points.map_err(of_poles)?;
@@ -74,6 +78,22 @@ fn of_poles(error: Error, poles: usize) -> Error {
                 error.message()
             ),
         ),
+        _ => error,
+    }
+}
+
+/// The same where balls were left out: the sample is not at fault.
+fn of_balls_left(error: Error, left: usize) -> Error {
+    match error.status() {
+        Status::CoordinateRange | Status::TooFewPoints | Status::Degenerate => {
+            let message = error.message();
+            Error::new(
+                error.status(),
+                format!(
+                    "the {left} balls that are left have no power diagram ({message}); take a smaller offset, epsilon or delta"
+                ),
+            )
+        }
         _ => error,
     }
 }

@@ -6,7 +6,7 @@ use super::surface::Shards;
 use super::{Balls, PowerCrust};
 use crate::error::{Error, Result, Status};
 use crate::job::{Job, Room, Run, Stage};
-use crate::predicates::WEIGHT_MIN;
+use crate::predicates::{WEIGHT_MAX, WEIGHT_MIN};
 use std::sync::{Arc, OnceLock};
 
 impl PowerCrust {
@@ -17,11 +17,18 @@ impl PowerCrust {
     /// falls to 0 vanish, and do not come back when an offset is offset again. Labels are kept. The result is the boundary of a solid, as every power crust;
     /// its surface is empty where no inner ball is left. Its vertices are no samples, so that no shards are merged.
     ///
-    /// Errors: [`Status::InvalidArgument`] for a distance that is not finite, [`Status::TooFewPoints`] and
+    /// Errors: [`Status::InvalidArgument`] for a distance that is not finite or makes radii of more than 2^200, [`Status::TooFewPoints`] and
     /// [`Status::Degenerate`] where too few balls are left, and those of the job. Cost: one regular triangulation.
     pub fn offset(&self, distance: f64, job: &Job) -> Result<Self> {
         if !distance.is_finite() {
             return Err(Error::new(Status::InvalidArgument, "the distance must be finite"));
+        }
+        let largest =
+            (0..self.poles.len()).filter_map(|pole| self.weight(pole)).fold(0.0, f64::max);
+        if largest.sqrt() + distance.abs() > WEIGHT_MAX.sqrt() {
+            let message =
+                format!("the distance {distance} is too large: radii must stay below 2^200");
+            return Err(Error::new(Status::InvalidArgument, message));
         }
         job.run(&DERIVE, |run| {
             let weight = |pole: usize| {

@@ -242,7 +242,7 @@ impl PowerCrust {
 
     /// How much the labels contradict each other: the sum of the squared weights of the links that do not have the labels that they ask for,
     /// divided by the number of poles. Links are samples with two poles, which ask for different labels, and balls that intersect
-    /// deeply, which ask for the same. 0 where labels were given; 1e-3 and less where a sample is dense; near 0.1 the solid is a guess.
+    /// deeply, which ask for the same. 1e-3 and less where a sample is dense; near 0.1 the solid is a guess.
     pub fn conflict(&self) -> f64 {
         self.account.conflict
     }

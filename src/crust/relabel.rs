@@ -1,7 +1,8 @@
 //! Power crusts with other labels: given by the host, or by a mesh.
 
 use super::label::{Label, LabelAccount, force_outer};
-use super::{Balls, PowerCrust};
+use super::links::Links;
+use super::{Balls, PowerCrust, PowerCrustOptions, conflict};
 use crate::complex::Complex;
 use crate::error::{Error, Result, Status};
 use crate::job::{Job, Room, Run, Stage};
@@ -63,6 +64,10 @@ impl PowerCrust {
             Balls::Poles => Balls::Poles,
             Balls::Changed(weights) => Balls::Changed(room.collect(weights.iter().copied())?),
         };
+        let rule = PowerCrustOptions { viewpoint: None, ..self.options };
+        let links = Links::of_poles(&self.poles, &self.regular, &rule, run)?;
+        let conflict = conflict::of(&links, &labels, run)?;
+        drop(links);
         run.enter(Stage::Extract)?;
         PowerCrust {
             options: self.options,
@@ -71,7 +76,7 @@ impl PowerCrust {
             shards: self.shards,
             regular: self.regular.clone(),
             labels,
-            account: LabelAccount { given: true, forced, ..LabelAccount::default() },
+            account: LabelAccount { given: true, forced, conflict, ..LabelAccount::default() },
             surface: Arc::default(),
             inner_shape: Arc::default(),
             outer_shape: Arc::default(),

@@ -45,10 +45,10 @@ pub struct Options {
     keep_shards: bool,
     /// How poles are labelled inner and outer: by labels that spread from outside and are never taken back, by changing them until
     /// they contradict each other least, or automatically by the latter where the former leaves much conflict
-    #[arg(long, value_enum, value_name = "RULE", default_value_t = Rule::Auto)]
+    #[arg(long, value_enum, value_name = "RULE", default_value_t = Rule::Auto, conflicts_with = "label_mesh")]
     labels: Rule,
     /// Where the scanner of a one-sided scan was: what it sees is the outside
-    #[arg(long, num_args = 3, allow_negative_numbers = true, value_names = ["X", "Y", "Z"])]
+    #[arg(long, num_args = 3, allow_negative_numbers = true, value_names = ["X", "Y", "Z"], conflicts_with = "label_mesh")]
     viewpoint: Option<Vec<f64>>,
     /// Label the poles by this mesh instead, which may be the input itself: inner where its faces, which must point out of
     /// the solid, wind round a pole
@@ -143,7 +143,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
         ("deep_degrees", json!(options.deep_degrees.unwrap_or(degrees))),
         ("round_poles", json!(options.round_poles)),
         ("keep_shards", json!(options.keep_shards)),
-        ("labels", json!(rule_name)),
+        ("labels", json!(if options.label_mesh.is_some() { "mesh" } else { rule_name })),
         ("viewpoint", json!(options.viewpoint)),
         ("triangles", json!(options.triangles)),
         ("side", json!(options.side.name())),
@@ -152,6 +152,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
         report.parameters.insert(name.into(), value);
     }
     options.omit.report(&mut report, crust.poles());
+    let was_empty = crust.surface().faces().is_empty();
     let crust = options.variants.apply(crust, &mut report, session)?;
     options.validate.report(&mut report, || crust.validate(&session.job))?;
     describe(&crust, &mut report);
@@ -164,6 +165,9 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     options.flatten.describe(&crust, &mut report);
     if crust.surface().faces().is_empty() {
         session.warn(match options.label_mesh {
+            _ if options.variants.leaves_out() && !was_empty => {
+                "no inner ball is left, so the surface is empty; take a smaller offset, epsilon or delta"
+            }
             None => "no pole is inner, so the surface is empty: the sample is too sparse for its shape",
             Some(_) => {
                 "no pole is inner, so the surface is empty: the mesh winds round none; it may be turned inside out, or be elsewhere"

@@ -215,8 +215,16 @@ impl Session {
         soup: &Soup,
         options: &ReadOptions,
     ) -> Result<(Arc<Points>, Input), Failure> {
-        let points =
-            soup.points(options.points_options(), &self.job).map_err(Failure::about(path))?;
+        let points = soup.points(options.points_options(), &self.job).map_err(|error| {
+            let hint = match error.status() {
+                Status::NonFinite => format!("{} (--skip-invalid)", error.message()),
+                _ => error.message().into(),
+            };
+            let said = Error::new(error.status(), hint);
+            Failure::about(path)(
+                error.element().map_or(said.clone(), |(kind, index)| said.at(kind, index)),
+            )
+        })?;
         let input = Input::of_points(path, soup, &points);
         Ok((Arc::new(points), input))
     }

@@ -74,6 +74,11 @@ impl VariantOptions {
         }
     }
 
+    /// Whether balls may be left out.
+    pub fn leaves_out(&self) -> bool {
+        self.simplify || self.offset.is_some()
+    }
+
     /// The power crust that is asked for: simplified first, then offset.
     pub fn apply(
         &self,
