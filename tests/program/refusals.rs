@@ -58,7 +58,7 @@ fn rows_that_are_not_finite_are_named_or_left_out_on_demand() {
     assert_eq!(place.names(), ["dirty.off", "dirty.xyz"]);
     place.write("clean.xyz", clean.concat());
     let expected = place.json("crust clean.xyz -o clean.ply");
-    let report = place.json("crust dirty.xyz -o crust.ply --skip-non-finite");
+    let report = place.json("crust dirty.xyz -o crust.ply --skip-invalid");
     assert_eq!(
         (&report["input"]["skipped"], &report["input"]["duplicates"]),
         (&3.into(), &0.into())
@@ -66,7 +66,7 @@ fn rows_that_are_not_finite_are_named_or_left_out_on_demand() {
     assert_eq!(report["input"]["points"], clean.len());
     assert_eq!(report["outputs"][0]["topology"], expected["outputs"][0]["topology"]);
     assert_eq!(place.read("crust.ply"), place.read("clean.ply"));
-    let table = place.run("crust dirty.off --skip-non-finite");
+    let table = place.run("crust dirty.off --skip-invalid");
     assert!(text(&table.stdout).contains("3 skipped rows"), "{}", text(&table.stdout));
 }
 

@@ -215,7 +215,7 @@ fn labels_come_from_a_mesh() {
     let turned = rings.map(|ring| ring.split(' ').rev().collect::<Vec<_>>().join(" "));
     place.write("turned.off", off(&turned));
     place.json("sample plate.off --spacing 0.15 -o in.ply");
-    let by_rule = place.json("crust in.ply -o rule.ply");
+    let by_rule = place.json("crust in.ply -o rule.ply --labels spread");
     assert_eq!(by_rule["parameters"]["label_mesh"], Value::Null);
     let found =
         place.json("crust in.ply --label-mesh plate.off -o crust.ply --poles poles.ply --validate");
@@ -239,8 +239,8 @@ fn labels_come_from_a_mesh() {
     assert_eq!(numbers, Values::F64(expected));
     let empty = place.json("crust in.ply --label-mesh turned.off");
     assert_eq!(empty["labels"]["inner"], 0);
-    let warning = empty["warnings"][0].as_str().unwrap();
-    assert!(warning.contains("turned inside out"), "{warning}");
+    let warnings = empty["warnings"].to_string();
+    assert!(warnings.contains("turned inside out"), "{warnings}");
     // The input may be the mesh itself.
     place.json("crust rule.ply --label-mesh rule.ply --validate");
     let error = place.failure("crust in.ply --label-mesh in.ply", 1);

@@ -2,7 +2,7 @@
 
 use crate::sets::{self, Random};
 use medax::complex::{ComplexParts, Rows};
-use medax::crust::{Label, PowerCrustOptions, SimplifyOptions};
+use medax::crust::{Label, LabelRule, PowerCrustOptions, SimplifyOptions};
 use medax::sample::{SampleOptions, Shape, sample, sample_mesh};
 use medax::{Complex, Job, JobOptions, Points, PowerCrust, Status};
 use std::sync::Arc;
@@ -202,7 +202,8 @@ fn a_mesh_tells_what_a_coarse_sample_does_not() {
     let fine = crust(take(0.0).points(), Default::default());
     let outside = |p| Shape::Trefoil.value(p);
     assert_eq!((form(&fine), wrong(&fine, outside)), ((1, Some(1)), 0));
-    let coarse = crust(take(0.25).points(), Default::default());
+    let spread = PowerCrustOptions { label_rule: LabelRule::Spread, ..Default::default() };
+    let coarse = crust(take(0.25).points(), spread);
     assert!(wrong(&coarse, outside) > 5 && form(&coarse) != (1, Some(1)));
     let labelled = coarse.labelled_by_mesh(fine.surface(), &job).unwrap();
     assert_valid(&labelled, "trefoil");

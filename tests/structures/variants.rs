@@ -1,7 +1,7 @@
 //! Power crusts of other poles and other balls: poles left out, offsets, simplified shapes, holes left open.
 
 use crate::sets::Random;
-use medax::crust::{HoleOptions, Label, PowerCrustOptions, SimplifyOptions};
+use medax::crust::{HoleOptions, Label, LabelRule, PowerCrustOptions, SimplifyOptions};
 use medax::poles::{Omit, PolesOptions};
 use medax::{Job, NONE, Points, Poles, PowerCrust, Status};
 use std::sync::Arc;
@@ -176,7 +176,8 @@ pub fn ellipsoid(count: usize, noise: f64) -> Vec<[f64; 3]> {
 #[test]
 fn poles_of_misshapen_cells_go_on_one_side_or_both() {
     let rows = ellipsoid(3000, 0.02);
-    let all = crust(&rows, PolesOptions::default());
+    let spread = PowerCrustOptions { label_rule: LabelRule::Spread, ..Default::default() };
+    let all = PowerCrust::build(&points(&rows), spread, &Job::default()).unwrap();
     let [side, both] =
         [Omit::Side, Omit::Both].map(|omit| crust(&rows, PolesOptions { omit, lambda: 0.4 }));
     assert!(form(&all) != (1, Some(0)), "the noise must do harm: {:?}", form(&all));
