@@ -2,6 +2,7 @@
 #ifndef CHECK_H
 #define CHECK_H
 
+#include <math.h>
 #include <medax.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -52,6 +53,19 @@ static inline int check_end(void) {
 static inline double check_random(uint64_t *state) {
     *state = *state * 6364136223846793005u + 1442695040888963407u;
     return (double)(*state >> 11) / 9007199254740992.0;
+}
+
+/* A random point of the unit sphere. */
+static inline void check_direction(uint64_t *state, double u[3]) {
+    double square;
+    do {
+        square = 0;
+        for (size_t k = 0; k < 3; ++k) {
+            u[k] = 2 * check_random(state) - 1;
+            square += u[k] * u[k];
+        }
+    } while (square > 1 || square < 0.01);
+    for (size_t k = 0; k < 3; ++k) u[k] /= sqrt(square);
 }
 
 /* `count` random points in the unit cube, for the caller to free. */

@@ -14,16 +14,7 @@ static const medax_points *samples(void) {
     uint64_t state = 5;
     static double xyz[3 * COUNT];
     const medax_points *points = NULL;
-    for (size_t i = 0; i < COUNT;) {
-        double u[3], square = 0;
-        for (size_t k = 0; k < 3; ++k) {
-            u[k] = 2 * check_random(&state) - 1;
-            square += u[k] * u[k];
-        }
-        if (square > 1 || square < 0.01) continue;
-        for (size_t k = 0; k < 3; ++k) xyz[3 * i + k] = u[k] / sqrt(square);
-        ++i;
-    }
+    for (size_t i = 0; i < COUNT; ++i) check_direction(&state, xyz + 3 * i);
     CHECK_STATUS(OK, medax_points_create_f64(xyz, COUNT, 0, NULL, NULL, &points));
     NEED(points != NULL);
     return points;

@@ -14,16 +14,9 @@ static double xyz[3 * COUNT];
 static const medax_points *shell(void) {
     uint64_t state = 4;
     const medax_points *points = NULL;
-    for (size_t i = 0; i < COUNT;) {
-        double u[3], square = 0;
-        for (size_t k = 0; k < 3; ++k) {
-            u[k] = 2 * check_random(&state) - 1;
-            square += u[k] * u[k];
-        }
-        if (square > 1 || square < 0.01) continue;
-        const double radius = (i < OUTER ? 1 : 0.6) / sqrt(square);
-        for (size_t k = 0; k < 3; ++k) xyz[3 * i + k] = radius * u[k];
-        ++i;
+    for (size_t i = 0; i < COUNT; ++i) {
+        check_direction(&state, xyz + 3 * i);
+        for (size_t k = 0; k < 3; ++k) xyz[3 * i + k] *= i < OUTER ? 1 : 0.6;
     }
     CHECK_STATUS(OK, medax_points_create_f64(xyz, COUNT, 0, NULL, NULL, &points));
     NEED(points != NULL);

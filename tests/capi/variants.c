@@ -12,18 +12,10 @@ static const medax_points *ellipsoid(void) {
     uint64_t state = 9;
     static double xyz[3 * COUNT];
     const medax_points *points = NULL;
-    for (size_t i = 0; i < COUNT;) {
-        double u[3], square = 0;
-        for (size_t k = 0; k < 3; ++k) {
-            u[k] = 2 * check_random(&state) - 1;
-            square += u[k] * u[k];
-        }
-        if (square > 1 || square < 0.01) continue;
-        const double length = sqrt(square);
-        xyz[3 * i] = u[0] / length;
-        xyz[3 * i + 1] = 0.7 * u[1] / length;
-        xyz[3 * i + 2] = 0.4 * u[2] / length;
-        ++i;
+    for (size_t i = 0; i < COUNT; ++i) {
+        check_direction(&state, xyz + 3 * i);
+        xyz[3 * i + 1] *= 0.7;
+        xyz[3 * i + 2] *= 0.4;
     }
     CHECK_STATUS(OK, medax_points_create_f64(xyz, COUNT, 0, NULL, NULL, &points));
     NEED(points != NULL);
