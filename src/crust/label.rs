@@ -43,8 +43,8 @@ pub enum LabelRule {
     LeastConflict = 2,
 }
 
-/// How much conflict of a pole's labels [`LabelRule::Auto`] bears with. Clean samples have a tenth of that, noisy and one-sided ones
-/// ten times as much.
+/// How much conflict a pole [`LabelRule::Auto`] bears with. Clean samples have a tenth of that, noisy and one-sided ones
+/// four times as much or more.
 pub const CONFLICT_LIMIT: f64 = 0.005;
 
 /// The labels, and how they came about.
@@ -88,6 +88,7 @@ pub(super) fn label_poles(
         None => outside.copy_from_slice(poles.touches_far_box()),
         Some(_) => outside[poles.len()] = true,
     }
+    // The paper's labels spread from the far box alone; all that is outside stays so when labels are changed.
     let mut sources = room.collect(outside.iter().copied())?;
     for &pole in &unbounded {
         outside[pole as usize] = true;
