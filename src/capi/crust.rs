@@ -212,7 +212,8 @@ pub unsafe extern "C" fn medax_power_crust_build_from_poles(
 /// The surface: convex polygons that point out of the solid. Faces have the attributes `inner_pole`
 /// and `outer_pole`. Vertices have `cell`, the cell of #medax_power_crust_regular whose orthocentre they
 /// are, and `sample`: the vertex of the points that they are, or `MEDAX_NONE`. With shards merged such a vertex lies exactly where the
-/// sample does, and `cell` is the least of its shards.
+/// sample does, and `cell` is the least of its shards; shards that stay apart, because merging would change the topology or turn a
+/// triangle over, are no sample then.
 ///
 /// \param crust The power crust.
 /// \param out_surface Receives the surface, which the caller frees with #medax_complex_free.

@@ -14,6 +14,7 @@ mod export;
 mod holes;
 mod label;
 mod links;
+mod places;
 mod queue;
 mod relabel;
 mod shape;

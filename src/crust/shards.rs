@@ -50,19 +50,28 @@ pub(super) fn samples_of_cells(
 /// The vertex that stands for each vertex of a closed surface once the shards of each sample are merged: the least of
 /// those that hang together.
 ///
-/// Merging shards that make up a disk changes no topology. Where they make up something else, or the faces left, or their triangles, could not be told
-/// from each other by their vertices, the shards stay apart, each for itself.
-pub(super) fn merged(samples: &[u32], faces: &Rows, run: &Run<'_>) -> Result<Vec<u32>> {
+/// Merging shards that make up a disk changes no topology. Where they make up something else, where the faces left, or their triangles, could not be told
+/// from each other by their vertices, or where `turned` names the vertex that would stand for them, they stay apart: each is itself, and no sample any more.
+/// `turned` sees the samples and what would be merged.
+pub(super) fn merged(
+    samples: &mut [u32],
+    faces: &Rows,
+    mut turned: impl FnMut(&[u32], &[u32]) -> Result<Vec<u32>>,
+    run: &Run<'_>,
+) -> Result<Vec<u32>> {
     let mut room = Room::new(run);
-    let mut is_apart = room.collect(samples.iter().map(|&sample| sample == NONE))?;
     loop {
-        let roots = joined(samples, &is_apart, faces, &mut room, run)?;
-        let is_wrong = wrong(&roots, faces, &mut room, run)?;
+        let roots = joined(samples, faces, &mut room, run)?;
+        let mut is_wrong = wrong(&roots, faces, &mut room, run)?;
+        for root in turned(samples, &roots)? {
+            is_wrong[root as usize] = true;
+        }
         let mut any = false;
-        for (is_apart, &root) in is_apart.iter_mut().zip(&roots) {
-            let is_wrong = is_wrong[root as usize];
-            any |= is_wrong && !*is_apart;
-            *is_apart |= is_wrong;
+        for (sample, &root) in samples.iter_mut().zip(&roots) {
+            if *sample != NONE && is_wrong[root as usize] {
+                *sample = NONE;
+                any = true;
+            }
         }
         if !any {
             return Ok(roots);
@@ -71,19 +80,13 @@ pub(super) fn merged(samples: &[u32], faces: &Rows, run: &Run<'_>) -> Result<Vec
 }
 
 /// The least vertex of all that sides of faces connect to each one, where both ends are shards of one sample.
-fn joined(
-    samples: &[u32],
-    is_apart: &[bool],
-    faces: &Rows,
-    room: &mut Room<'_>,
-    run: &Run<'_>,
-) -> Result<Vec<u32>> {
+fn joined(samples: &[u32], faces: &Rows, room: &mut Room<'_>, run: &Run<'_>) -> Result<Vec<u32>> {
     let mut sets = DisjointSets::new(samples.len(), run)?;
     for ring in run.watch(faces.iter()) {
         for [a, b] in sides(ring?) {
-            let [i, j] = [a as usize, b as usize];
+            let sample = samples[a as usize];
             // The other side comes from the other face.
-            if a < b && samples[i] == samples[j] && !is_apart[i] && !is_apart[j] {
+            if a < b && sample != NONE && sample == samples[b as usize] {
                 sets.join(a, b);
             }
         }
@@ -172,8 +175,8 @@ mod tests {
         let mut rows = Rows::default();
         faces.iter().for_each(|face| rows.push(face).unwrap());
         let sample = |v: u32| if shards.contains(&v) { 7 } else { NONE };
-        let samples: Vec<u32> = (0..vertices as u32).map(sample).collect();
-        Job::default().run(&[], |run| merged(&samples, &rows, run)).unwrap()
+        let mut samples: Vec<u32> = (0..vertices as u32).map(sample).collect();
+        Job::default().run(&[], |run| merged(&mut samples, &rows, |_, _| Ok(vec![]), run)).unwrap()
     }
 
     const CUBE: [&[u32]; 6] =
@@ -212,5 +215,20 @@ mod tests {
         // Two triangles would, from 0 to 2: the first two faces lie on either side of vertex 1 then.
         let faces: [&[u32]; 4] = [&[0, 1, 2, 3], &[0, 4, 5, 1], &[2, 1, 5], &[3, 2, 5, 4, 0]];
         assert_eq!(roots(&faces, 6, &[2, 5]), [0, 1, 2, 3, 4, 5]);
+    }
+
+    #[test]
+    fn shards_stay_apart_all_of_them_where_a_triangle_would_turn() {
+        let mut rows = Rows::default();
+        CUBE.iter().for_each(|face| rows.push(face).unwrap());
+        let mut samples = [NONE, 7, NONE, 7, 8, 8, NONE, NONE];
+        let turned = |samples: &[u32], roots: &[u32]| {
+            assert_eq!(samples[1] == 7, roots == [0, 1, 2, 1, 4, 4, 6, 7]);
+            Ok(if samples[1] == 7 { vec![1, 2] } else { vec![] })
+        };
+        let roots =
+            Job::default().run(&[], |run| merged(&mut samples, &rows, turned, run)).unwrap();
+        assert_eq!(roots, [0, 1, 2, 3, 4, 4, 6, 7]);
+        assert_eq!(samples, [NONE, NONE, NONE, NONE, 8, 8, NONE, NONE]);
     }
 }

@@ -1,9 +1,9 @@
 //! The power crust: the facets of the power diagram between inner and outer cells.
 
 use super::division::{Division, Edge, pieces};
+use super::places::Places;
 use super::shards;
 use crate::complex::{Attribute, Complex, ComplexParts, Element, Rows, Values};
-use crate::dual::orthocenter_positions;
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
 use crate::job::{PART, Room, Run, parts};
@@ -31,7 +31,7 @@ pub(super) enum Shards {
 /// two are inner, makes every vertex's faces one disk: the surface is a manifold.
 ///
 /// If that is asked for, the shards of each sample are merged then, see `shards.rs`; faces left with two vertices or one
-/// are gone.
+/// are gone. Shards that stay apart have no sample.
 ///
 /// Faces are in the order of their dual edges, the lesser vertex of each first, and begin with their least cells.
 /// Vertices carry `cell`, the least, and `sample`, faces `inner_pole` and `outer_pole`.
@@ -59,10 +59,14 @@ pub(super) fn extract(
     })?;
     drop((vertex_of_cell, edges));
     let mut surface = Surface::joined(pieces, cells, samples, &mut room, run)?;
-    if treatment == Shards::Merge {
-        surface = surface.without_shards(&mut room, run)?;
-    }
-    let vertices = surface.positions(poles, regular, treatment, &mut room, run)?;
+    let vertices = match treatment {
+        Shards::Merge => surface.merge_shards(poles, regular, &mut room, run)?,
+        _ => {
+            let mut places = Places::new(poles, regular, &surface.cells, &mut room)?;
+            places.settle(&room.filled(surface.cells.len(), NONE)?, [0.4, 0.5], run)?;
+            places.into_positions()
+        }
+    };
     let attribute =
         |name: &str, element, values| Attribute::new(name, element, 1, Values::U32(values));
     let parts = ComplexParts {
@@ -144,9 +148,25 @@ impl Surface {
         Ok(Surface { cells, samples, faces, inner_pole, outer_pole })
     }
 
-    /// The same with the shards of each sample merged.
-    fn without_shards(mut self, room: &mut Room<'_>, run: &Run<'_>) -> Result<Self> {
-        let roots = shards::merged(&self.samples, &self.faces, run)?;
+    /// Merges the shards of each sample, and gives the positions of the vertices left.
+    fn merge_shards(
+        &mut self,
+        poles: &Poles,
+        regular: &Triangulation,
+        room: &mut Room<'_>,
+        run: &Run<'_>,
+    ) -> Result<Vec<[f64; 3]>> {
+        let mut places = Places::new(poles, regular, &self.cells, room)?;
+        let mut progress = [0.4, 0.5];
+        let turned = |samples: &[u32], roots: &[u32]| {
+            places.settle(samples, progress, run)?;
+            // What stays apart is little.
+            progress = [0.5; 2];
+            let poles_of = |face: usize| [self.inner_pole[face], self.outer_pole[face]];
+            places.turned(&self.faces, roots, poles_of, run)
+        };
+        let roots = shards::merged(&mut self.samples, &self.faces, turned, run)?;
+        let mut vertices = places.into_positions();
         // A root is the least vertex, and has the least cell.
         let mut number = room.filled(roots.len(), NONE)?;
         let mut count = 0;
@@ -156,11 +176,13 @@ impl Surface {
                 number[vertex as usize] = count as u32;
                 self.cells[count] = self.cells[vertex as usize];
                 self.samples[count] = self.samples[vertex as usize];
+                vertices[count] = vertices[vertex as usize];
                 count += 1;
             }
         }
         self.cells.truncate(count);
         self.samples.truncate(count);
+        vertices.truncate(count);
         let (mut offsets, mut indices) = (vec![0], Vec::new());
         let (mut ring, mut kept) = (Vec::new(), 0);
         for face in run.watch(self.faces.iter().enumerate()) {
@@ -177,35 +199,7 @@ impl Surface {
         }
         self.inner_pole.truncate(kept);
         self.outer_pole.truncate(kept);
-        Ok(Surface { faces: Rows::new(offsets, indices)?, ..self })
-    }
-
-    /// The positions of all vertices: where the balls have them, or if shards were merged, where the samples are.
-    fn positions(
-        &self,
-        poles: &Poles,
-        regular: &Triangulation,
-        treatment: Shards,
-        room: &mut Room<'_>,
-        run: &Run<'_>,
-    ) -> Result<Vec<[f64; 3]>> {
-        let coords = poles.triangulation().coords();
-        let is_sample = |i: usize| treatment == Shards::Merge && self.samples[i] != NONE;
-        let mut vertices = room.filled(self.cells.len(), [0.0; 3])?;
-        let chunks = vertices.chunks_mut(PART).zip(parts(self.cells.len())).collect();
-        run.in_steps(chunks, [0.5, 0.6], |(vertices, range)| {
-            let others: Vec<usize> = range.clone().filter(|&i| !is_sample(i)).collect();
-            let cells: Vec<u32> = others.iter().map(|&i| self.cells[i]).collect();
-            let mut centers = vec![[0.0; 3]; cells.len()];
-            orthocenter_positions(regular, &cells, &mut centers, run)?;
-            for (i, center) in others.into_iter().zip(centers) {
-                vertices[i - range.start] = center;
-            }
-            for i in range.clone().filter(|&i| is_sample(i)) {
-                vertices[i - range.start] = coords[self.samples[i] as usize];
-            }
-            Ok(())
-        })?;
+        self.faces = Rows::new(offsets, indices)?;
         Ok(vertices)
     }
 }

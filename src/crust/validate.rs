@@ -13,10 +13,11 @@ use crate::job::{Job, Room, Run, Stage};
 use crate::sort::sort_by_key;
 use crate::triangulation::Edges;
 use crate::validation::Validation;
+use crate::vector::{cross, dot, length, sub, unit};
 
 impl PowerCrust {
     /// Checks that the triangulation is that of the poles' balls, that the labels are those of the algorithm unless they were given, that the surface is closed, that its faces are the power facets between
-    /// inner and outer poles, that merging shards changed no topology and moved vertices to their samples, that no inner pole has an unbounded cell, and that the power
+    /// inner and outer poles, that merging shards changed no topology, moved vertices to their samples and turned no triangle over, that no inner pole has an unbounded cell, and that the power
     /// shapes are those of the labels. The cells are not looked at: the triangulation has
     /// its own [`validate`](crate::Triangulation::validate). Errors: those of the job. Cost: O(size).
     pub fn validate(&self, job: &Job) -> Result<Validation> {
@@ -162,8 +163,12 @@ impl PowerCrust {
         let vertex_of_pole = self.regular.points().vertex_of_row();
         let mut room = Room::new(run);
         let all = room.collect(0..self.regular.cells().len() as u32)?;
-        let of_cells =
+        let mut of_cells =
             samples_of_cells(&self.poles, &self.regular, &all, [0.0; 2], &mut room, run)?;
+        // What stayed apart is no sample.
+        for (&cell, _) in cells.iter().zip(samples).filter(|&(_, &sample)| sample == NONE) {
+            of_cells[cell as usize] = NONE;
+        }
         let keep = self.shards != Shards::Merge;
         // A sample, or a cell.
         let key = |sample: u32, cell: u32| match sample {
@@ -238,6 +243,36 @@ impl PowerCrust {
             let there = self.surface.vertices()[vertex] == at;
             report.check(there, ElementKind::Vertex, vertex as u64, || {
                 format!("it is not where sample {sample} is")
+            });
+        }
+        self.check_turns(report, samples, run)
+    }
+
+    /// No triangle that has a sample as its corner turns clockwise as seen from its outer pole, but for needles.
+    fn check_turns(&self, report: &mut Validation, samples: &[u32], run: &Run<'_>) -> Result<()> {
+        let poles = ["inner_pole", "outer_pole"].map(|name| {
+            match self.surface.attribute(Element::Face, name).map(|a| a.values()) {
+                Some(Values::U32(poles)) => &poles[..],
+                _ => &[],
+            }
+        });
+        let center = |pole: u32| [0, 1, 2].map(|axis| self.poles.balls()[pole as usize][axis]);
+        let triangles = self.surface.triangles().iter().zip(self.surface.face_of_triangle());
+        for triangle in run.watch(triangles) {
+            let (corners, &face) = triangle?;
+            let [Some(&inner), Some(&outer)] = poles.map(|poles| poles.get(face as usize)) else {
+                continue;
+            };
+            let [a, b, c] = corners.map(|v| self.surface.vertices()[v as usize]);
+            let longest =
+                [sub(b, a), sub(c, b), sub(a, c)].map(length).into_iter().fold(0.0, f64::max);
+            let outward = unit(sub(center(outer), center(inner)));
+            let height = dot(cross(sub(c, b), sub(a, b)), outward) / longest;
+            let is_apart = corners.iter().all(|&v| samples.get(v as usize) == Some(&NONE));
+            // Twice what was allowed: rounding differs here.
+            let turns_right = is_apart || height >= -2e-9 * longest || longest == 0.0;
+            report.check(turns_right, ElementKind::Face, face.into(), || {
+                "merging shards turned a triangle of it over".into()
             });
         }
         Ok(())
