@@ -4,7 +4,7 @@
 //! Each operation is cancelled at twenty moments of its run; the table gives the longest time from the
 //! cancel to the return, and what the operation was doing then. The conventions promise 50 ms.
 
-use medax::complex::compare;
+use medax::complex::{DecimateOptions, compare};
 use medax::crust::PowerCrustOptions;
 use medax::dual::{Dual, DualOptions};
 use medax::points::PointsOptions;
@@ -99,6 +99,9 @@ fn main() {
     measure("topology", |job| surface.topology(job).map(drop));
     measure("orientation", |job| surface.oriented(job).map(drop));
     measure("its validate", |job| surface.validate(job).map(drop));
+    let fewer = DecimateOptions { triangles: surface.triangles().len() / 4, max_error: None };
+    measure("decimation", |job| surface.decimate(fewer, job).map(drop));
+    measure("intersections", |job| surface.self_intersections(job).map(drop));
     measure("comparison", |job| compare(surface, surface, &Default::default(), job).map(drop));
     for name in ["surface.ply", "surface.off", "surface.vtu"] {
         let path = folder.path().join(name);

@@ -24,9 +24,16 @@ fn bad_files_are_told_with_the_place() {
     let plain = place.run("info absent.ply");
     assert_eq!(text(&plain.stderr).matches("absent.ply").count(), 1, "{}", text(&plain.stderr));
     place.write("three.xyz", "0 0 0\n1 0 0\n0 1 0\n");
-    assert_eq!(place.failure("triangulate three.xyz", 1)["status"], "TOO_FEW_POINTS");
+    let error = place.failure("triangulate three.xyz", 1);
+    assert_eq!((&error["status"], &error["path"]), (&"TOO_FEW_POINTS".into(), &"three.xyz".into()));
     place.write("flat.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n5 5 0\n");
-    assert_eq!(place.failure("crust flat.xyz", 1)["status"], "DEGENERATE");
+    let error = place.failure("crust flat.xyz", 1);
+    assert_eq!((&error["status"], &error["path"]), (&"DEGENERATE".into(), &"flat.xyz".into()));
+    let report = place.json("decimate flat.xyz --ratio 0.5");
+    assert_eq!(
+        report["warnings"],
+        serde_json::json!(["there are no faces, and nothing to decimate"])
+    );
     place.write("huge.xyz", "0 0 0\n1e300 0 0\n");
     assert_eq!(place.failure("triangulate huge.xyz", 1)["status"], "COORDINATE_RANGE");
     place.write("sample.pdf", "what is this");

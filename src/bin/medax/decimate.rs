@@ -35,6 +35,9 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     }
     let complex = session.read_complex(&options.input)?;
     let before = complex.triangles().len();
+    if before == 0 {
+        session.warn("there are no faces, and nothing to decimate");
+    }
     let aim = match (options.ratio, options.triangles) {
         (Some(ratio), _) => (ratio * before as f64).ceil() as usize,
         (None, triangles) => triangles.unwrap_or(0),

@@ -72,6 +72,6 @@ fn main() -> ExitCode {
     session.finish();
     match result {
         Ok(report) => report.print(&session, common.json, common.quiet),
-        Err(failure) => failure.print(common.json),
+        Err(failure) => failure.of_sample(&session).print(common.json),
     }
 }

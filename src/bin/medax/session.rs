@@ -136,6 +136,14 @@ impl Failure {
     pub fn about(path: &Path) -> impl Fn(Error) -> Failure {
         move |error| Failure { error, path: Some(path.to_path_buf()), usage: false }
     }
+
+    /// The same, said of the file with the sample where it is the sample that nothing can be made of.
+    pub fn of_sample(mut self, session: &Session) -> Self {
+        if matches!(self.error.status(), Status::Degenerate | Status::TooFewPoints) {
+            self.path = self.path.or_else(|| session.sample.clone());
+        }
+        self
+    }
 }
 
 impl From<Error> for Failure {
@@ -165,6 +173,8 @@ pub struct Session {
     bar: Bar,
     warnings: Vec<String>,
     parameters: Map<String, Value>,
+    /// The file that the points are of.
+    sample: Option<PathBuf>,
 }
 
 impl Session {
@@ -179,7 +189,7 @@ impl Session {
         let mut parameters = Map::new();
         parameters.insert("threads".into(), json!(job.threads()));
         parameters.insert("memory_mib".into(), json!(options.memory_mib));
-        Session { job, bar, warnings: Vec::new(), parameters }
+        Session { job, bar, warnings: Vec::new(), parameters, sample: None }
     }
 
     /// Ends the work: takes the progress bar off the screen.
@@ -226,6 +236,7 @@ impl Session {
             )
         })?;
         let input = Input::of_points(path, soup, &points);
+        self.sample = Some(path.to_path_buf());
         Ok((Arc::new(points), input))
     }
 
