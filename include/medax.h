@@ -2092,8 +2092,8 @@ MEDAX_API
 bool medax_power_crust_is_settled(const medax_power_crust *crust);
 
 /**
- * Checks a power crust, by its combinatorics alone: the labels, that the surface is closed and is
- * the boundary between inner and outer cells, the shapes.
+ * Checks a power crust: the labels, that the surface is closed and is the boundary between inner and outer cells, that merging shards moved
+ * vertices to their samples and turned no triangle over, the shapes.
  *
  * \param crust The power crust.
  * \param job NULL for a default job.

@@ -428,8 +428,8 @@ pub unsafe extern "C" fn medax_power_crust_is_settled(crust: *const medax_power_
     boundary::value(false, || handle::maybe(crust).is_some_and(|c| c.crust.is_settled()))
 }
 
-/// Checks a power crust, by its combinatorics alone: the labels, that the surface is closed and is
-/// the boundary between inner and outer cells, the shapes.
+/// Checks a power crust: the labels, that the surface is closed and is the boundary between inner and outer cells, that merging shards moved
+/// vertices to their samples and turned no triangle over, the shapes.
 ///
 /// \param crust The power crust.
 /// \param job NULL for a default job.

@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::index::NONE;
 use crate::job::{self, Room, Run};
 use crate::poles::Poles;
-use crate::triangulation::Triangulation;
+use crate::triangulation::{Descent, Triangulation};
 use std::ops::Range;
 
 /// A link from a pole to another: the weight with which the same label passes on, or less than 0 if it is
@@ -53,6 +53,7 @@ impl Links {
         })?;
         let (deep, rooms): (Vec<_>, Vec<_>) = deep.into_iter().unzip();
         parts.extend(deep);
+        parts.push(hidden_links(poles, regular, options.deep, &mut room, run)?);
         let mut count = poles.len();
         if let Some(viewpoint) = options.viewpoint {
             parts.push(sight_links(poles, viewpoint, &mut room, run)?);
@@ -186,6 +187,44 @@ fn deep_links(
             if weight > deep {
                 room.push(&mut links, (p, q, weight))?;
             }
+        }
+    }
+    Ok(links)
+}
+
+/// Poles that are hidden in the regular triangulation, or share their place with a heavier one, each with the pole whose power cell its centre is in, where
+/// their balls intersect deeply. No cell has such a pole, so that nothing else would tell its label but its samples; often both poles of these are hidden,
+/// as those of a torus that was sampled on a grid are by their neighbours, which differ by rounding.
+fn hidden_links(
+    poles: &Poles,
+    regular: &Triangulation,
+    deep: f64,
+    room: &mut Room<'_>,
+    run: &Run<'_>,
+) -> Result<Vec<(u32, u32, f64)>> {
+    let [pole_of_vertex, vertex_of_pole] =
+        [regular.row_of_vertex(), regular.points().vertex_of_row()];
+    let mut links = Vec::new();
+    let mut link = |p: u32, q: u32| {
+        let weight = same_side_weight(&poles.balls()[p as usize], &poles.balls()[q as usize]);
+        if weight > deep { room.push(&mut links, (p, q, weight)) } else { Ok(()) }
+    };
+    for pole in run.watch(0..poles.len() as u32) {
+        let pole = pole?;
+        let vertex = vertex_of_pole[pole as usize];
+        if vertex != NONE && pole_of_vertex[vertex as usize] != pole {
+            link(pole, pole_of_vertex[vertex as usize])?;
+        }
+    }
+    if !regular.hidden().is_empty() {
+        let incidence = regular.incidence_in(run)?;
+        let descent = Descent::new(regular, &incidence);
+        let mut from = regular.cells()[0][0];
+        for vertex in run.watch(regular.hidden()) {
+            let &vertex = vertex?;
+            // Vertices stand in spatial order: the last one found is near.
+            from = descent.nearest(regular.coords()[vertex as usize], from);
+            link(pole_of_vertex[vertex as usize], pole_of_vertex[from as usize])?;
         }
     }
     Ok(links)

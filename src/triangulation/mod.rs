@@ -18,6 +18,7 @@ mod export;
 mod incidence;
 mod kernel;
 mod locate;
+mod nearest;
 mod order;
 mod parallel;
 mod partition;
@@ -29,6 +30,7 @@ mod worker;
 pub use cells::CELL_LIMIT;
 pub(crate) use incidence::Turn;
 pub use incidence::{Edges, Incidence};
+pub(crate) use nearest::Descent;
 
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::index::NONE;

@@ -121,6 +121,7 @@ fn bad_command_lines_are_refused_with_2() {
         "crust in.ply --epsilon 1",
         "crust in.ply --simplify --epsilon -1",
         "crust in.ply --offset inf",
+        "crust in.ply --offset -o",
         "crust in.ply --hole-radius 1",
         "crust in.ply --holes --hole-degrees 10",
         "crust in.ply --holes --hole-radius -1",

@@ -56,6 +56,39 @@ fn a_noisy_torus_keeps_its_genus_where_labels_that_spread_lose_it() {
     }
 }
 
+/// On a grid whole samples have hidden poles only, which others hide but for rounding: what hides them tells their labels, or they would come to light on
+/// the wrong side where balls grow or go.
+#[test]
+fn hidden_poles_have_the_labels_of_those_that_hide_them() {
+    let row = |i: usize| {
+        let (u, v) = (TAU * (i / 30) as f64 / 80.0, TAU * (i % 30) as f64 / 30.0);
+        let r = 2.0 + 0.7 * v.cos();
+        [r * u.cos(), r * u.sin(), 0.7 * v.sin()]
+    };
+    let rows: Vec<_> = (0..80 * 30).map(row).collect();
+    let points = points(&rows);
+    let auto = crust(&points, LabelRule::Auto);
+    assert!(auto.regular().hidden().len() > 1000);
+    assert_eq!((auto.unreached_count(), auto.is_settled()), (0, false));
+    for (pole, &label) in auto.labels().iter().enumerate() {
+        let [x, y, z, _] = auto.poles().balls()[pole];
+        let within = (x.hypot(y) - 2.0).hypot(z) < 0.5;
+        assert_eq!(label == Label::Inner, within, "pole {pole}");
+    }
+    for distance in [-0.1, 0.001, 0.1] {
+        let offset = auto.offset(distance, &Job::default()).unwrap();
+        assert_eq!(form(&offset), (1, Some(1)), "{distance}");
+        let volume = offset.surface().measure(&Job::default()).unwrap().volume;
+        let exact = TAU * TAU / 2.0 * 2.0 * (0.7 + distance) * (0.7 + distance);
+        assert!((volume / exact - 1.0).abs() < 0.02, "{distance}: {volume} for {exact}");
+    }
+    let simplified = auto.simplify(Default::default(), &Job::default()).unwrap();
+    assert_eq!(form(&simplified.crust), (1, Some(1)));
+    let sizes = auto.sizes_at(&rows, &Job::default()).unwrap();
+    let off = |thickness: &f64| (thickness - 1.4).abs() < 0.05;
+    assert!(sizes.thickness.iter().all(off), "{:?}", sizes.thickness.iter().find(|t| !off(t)));
+}
+
 #[test]
 fn labels_of_dense_samples_are_those_of_the_paper() {
     let mut random = Random(5);

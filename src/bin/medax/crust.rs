@@ -35,7 +35,7 @@ pub struct Options {
     poles: Option<PathBuf>,
     /// Balls of neighbouring poles intersect deeply, and are of one side, where the angle between
     /// their spheres exceeds this; from 90 to 180, by default 113.58, which is arccos(-0.4)
-    #[arg(long, allow_negative_numbers = true, value_name = "DEGREES")]
+    #[arg(long, allow_hyphen_values = true, value_name = "DEGREES")]
     deep_degrees: Option<f64>,
     /// Round the centres of the poles' balls to a grid, 2^-36 of the size of the sample, which is faster
     #[arg(long)]
@@ -48,7 +48,7 @@ pub struct Options {
     #[arg(long, value_enum, value_name = "RULE", default_value_t = Rule::Auto, conflicts_with = "label_mesh")]
     labels: Rule,
     /// Where the scanner of a one-sided scan was: what it sees is the outside
-    #[arg(long, num_args = 3, allow_negative_numbers = true, value_names = ["X", "Y", "Z"], conflicts_with = "label_mesh")]
+    #[arg(long, num_args = 3, allow_hyphen_values = true, value_names = ["X", "Y", "Z"], conflicts_with = "label_mesh")]
     viewpoint: Option<Vec<f64>>,
     /// Label the poles by this mesh instead, which may be the input itself: inner where its faces, which must point out of
     /// the solid, wind round a pole

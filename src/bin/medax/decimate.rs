@@ -15,13 +15,13 @@ pub struct Options {
     #[command(flatten)]
     output: OutputOptions,
     /// Come down to this share of the triangles, from 0 to 1
-    #[arg(long, allow_negative_numbers = true, value_name = "SHARE")]
+    #[arg(long, allow_hyphen_values = true, value_name = "SHARE")]
     ratio: Option<f64>,
     /// Come down to so many triangles; 0 means as few as can be
     #[arg(long, value_name = "N")]
     triangles: Option<usize>,
     /// Never come further away from the surface than this, in the units of the file
-    #[arg(long, allow_negative_numbers = true, value_name = "LENGTH")]
+    #[arg(long, allow_hyphen_values = true, value_name = "LENGTH")]
     max_error: Option<f64>,
 }
 

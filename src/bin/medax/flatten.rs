@@ -12,7 +12,7 @@ pub struct FlattenArguments {
     #[arg(long, requires = "shape")]
     flatten: bool,
     /// Tetrahedra are flat if their least altitude is at most this share of their longest edge; 0.1 by default
-    #[arg(long, allow_negative_numbers = true, value_name = "RATIO")]
+    #[arg(long, allow_hyphen_values = true, value_name = "RATIO")]
     flatness: Option<f64>,
 }
 

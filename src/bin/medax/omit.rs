@@ -17,7 +17,7 @@ pub struct OmitOptions {
     sharp_corners: bool,
     /// The spacing of the sample, relative to the local feature size, for --noise and --sharp-corners; from 0 to 0.78. Without it,
     /// or with 0, it is estimated
-    #[arg(long, allow_negative_numbers = true, value_name = "RATIO")]
+    #[arg(long, allow_hyphen_values = true, value_name = "RATIO")]
     lambda: Option<f64>,
 }
 

@@ -18,13 +18,13 @@ pub struct Options {
     output: OutputOptions,
     /// The least distance between two points, in input units; by default a quarter of a smooth
     /// shape's least feature size, a hundredth of a mesh's diagonal
-    #[arg(long, allow_negative_numbers = true, value_name = "LENGTH", conflicts_with = "density")]
+    #[arg(long, allow_hyphen_values = true, value_name = "LENGTH", conflicts_with = "density")]
     spacing: Option<f64>,
     /// About how many points a unit of area gets
-    #[arg(long, allow_negative_numbers = true, value_name = "COUNT")]
+    #[arg(long, allow_hyphen_values = true, value_name = "COUNT")]
     density: Option<f64>,
     /// The standard deviation of Gaussian noise along the normal, in input units
-    #[arg(long, allow_negative_numbers = true, value_name = "LENGTH", default_value_t = 0.0)]
+    #[arg(long, allow_hyphen_values = true, value_name = "LENGTH", default_value_t = 0.0)]
     noise: f64,
     /// Which of the many samples: the same seed gives the same points
     #[arg(long, value_name = "N", default_value_t = 0)]

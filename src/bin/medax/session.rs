@@ -139,7 +139,8 @@ impl Failure {
 
     /// The same, said of the file with the sample where it is the sample that nothing can be made of.
     pub fn of_sample(mut self, session: &Session) -> Self {
-        if matches!(self.error.status(), Status::Degenerate | Status::TooFewPoints) {
+        let of_sample = [Status::Degenerate, Status::TooFewPoints, Status::CoordinateRange];
+        if of_sample.contains(&self.error.status()) {
             self.path = self.path.or_else(|| session.sample.clone());
         }
         self

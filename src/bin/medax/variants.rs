@@ -14,23 +14,23 @@ pub struct VariantOptions {
     #[arg(long)]
     simplify: bool,
     /// For --simplify: how far samples may be from where they belong; by default a hundredth of the diagonal of their box
-    #[arg(long, requires = "simplify", allow_negative_numbers = true, value_name = "LENGTH")]
+    #[arg(long, requires = "simplify", allow_hyphen_values = true, value_name = "LENGTH")]
     epsilon: Option<f64>,
     /// For --simplify: how far balls may protrude from a larger one; by default three thousandths of the diagonal
-    #[arg(long, requires = "simplify", allow_negative_numbers = true, value_name = "LENGTH")]
+    #[arg(long, requires = "simplify", allow_hyphen_values = true, value_name = "LENGTH")]
     delta: Option<f64>,
     /// Make an approximate offset surface at this distance, outside if it is positive, inside if it is negative
-    #[arg(long, allow_negative_numbers = true, value_name = "DISTANCE")]
+    #[arg(long, allow_hyphen_values = true, value_name = "DISTANCE")]
     offset: Option<f64>,
     /// Leave out the faces that fill holes: those between an inner and an outer ball that intersect deeply and are large
     #[arg(long)]
     holes: bool,
     /// For --holes: balls intersect deeply where the angle between their spheres exceeds this; from 90 to 180, by default
     /// 95.74, which is arccos(-0.1)
-    #[arg(long, requires = "holes", allow_negative_numbers = true, value_name = "DEGREES")]
+    #[arg(long, requires = "holes", allow_hyphen_values = true, value_name = "DEGREES")]
     hole_degrees: Option<f64>,
     /// For --holes: balls are large if their radii exceed this; by default all are
-    #[arg(long, requires = "holes", allow_negative_numbers = true, value_name = "LENGTH")]
+    #[arg(long, requires = "holes", allow_hyphen_values = true, value_name = "LENGTH")]
     hole_radius: Option<f64>,
 }
 
