@@ -11,6 +11,7 @@ mod hierarchy;
 mod homology;
 mod intersections;
 mod measure;
+mod normals;
 mod orient;
 mod rows;
 mod skeleton;

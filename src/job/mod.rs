@@ -55,10 +55,12 @@ pub enum Stage {
     Write = 13,
     /// Contracting edges of a surface.
     Decimate = 14,
+    /// Telling which Voronoi facets belong to the medial axis.
+    Medial = 15,
 }
 
 /// Every stage, by number.
-const STAGES: [Stage; 15] = [
+const STAGES: [Stage; 16] = [
     Stage::Idle,
     Stage::Read,
     Stage::Order,
@@ -74,6 +76,7 @@ const STAGES: [Stage; 15] = [
     Stage::Sample,
     Stage::Write,
     Stage::Decimate,
+    Stage::Medial,
 ];
 
 impl Stage {
@@ -101,6 +104,7 @@ impl Stage {
             Stage::Sample => c"sample",
             Stage::Write => c"write",
             Stage::Decimate => c"decimate",
+            Stage::Medial => c"medial",
         }
     }
 }

@@ -10,7 +10,7 @@ use crate::predicates::insphere;
 ///
 /// Such cells make up one polytope, so they hang together through facets. Cost: O(m), since equal
 /// spheres have equal rounded centres, and the predicate looks at those only.
-pub(super) fn least_cells<'a>(
+pub(crate) fn least_cells<'a>(
     dual: &Dual,
     room: &mut Room<'a>,
     run: &'a Run<'a>,

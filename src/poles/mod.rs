@@ -13,6 +13,7 @@ mod touch;
 mod validate;
 
 pub(crate) use feature_size::distances;
+pub(crate) use merge::least_cells;
 pub use omit::{Omit, PolesOptions};
 
 use crate::complex::{Hierarchy, Rows};
@@ -23,6 +24,7 @@ use crate::job::{Job, PART, Room, Run, Stage, parts};
 use crate::points::{Bounds, COORDINATE_MIN, FAR_BOX_LEN, Points, order};
 use crate::triangulation::Triangulation;
 use select::Selection;
+pub(crate) use select::{FirstPoles, is_opposite};
 use std::sync::{Arc, OnceLock};
 
 /// The largest coordinate of a pole in absolute value, 2^400; what lies farther is moved there.

@@ -7,7 +7,7 @@ use crate::index::NONE;
 use crate::job::{PART, Room, Run};
 use crate::predicates::Sign;
 use crate::predicates::double_double::Pairs;
-use crate::triangulation::Triangulation;
+use crate::triangulation::{Incidence, Triangulation};
 use std::cmp::Ordering;
 
 /// The unit of rounding, 2^-53.
@@ -21,6 +21,56 @@ pub(super) struct Selection {
     pub(super) second: Vec<u32>,
     /// The unit direction of each first pole at infinity; 0 for other samples.
     pub(super) normals: Vec<[f64; 3]>,
+}
+
+/// The first poles of all samples, without numbers and second ones.
+#[derive(Clone, Debug)]
+pub(crate) struct FirstPoles {
+    /// The cell of each; [`NONE`] where it is at infinity.
+    pub cells: Vec<u32>,
+    /// The unit direction of each at infinity; 0 for other samples.
+    pub normals: Vec<[f64; 3]>,
+}
+
+impl FirstPoles {
+    /// Of the vertices of a Delaunay triangulation, whose cells round each are given.
+    pub fn new(
+        dual: &Dual,
+        incidence: &Incidence,
+        progress: [f64; 2],
+        room: &mut Room<'_>,
+        run: &Run<'_>,
+    ) -> Result<Self> {
+        let samples = dual.triangulation().coords().len();
+        let normals = directions_to_infinity(dual, samples, room, run)?;
+        let mut cells = room.filled(samples, NONE)?;
+        let chunks = cells.chunks_mut(PART / 8).zip(normals.chunks(PART / 8)).enumerate().collect();
+        run.in_steps(chunks, progress, |(chunk, (first, normals))| {
+            for (i, (first, normal)) in first.iter_mut().zip(normals).enumerate() {
+                let sample = chunk * (PART / 8) + i;
+                let cells = incidence.cells_of(sample as u32);
+                if i % 64 == 0 || cells.len() > 1024 {
+                    run.poll()?;
+                }
+                if *normal == [0.0; 3] {
+                    *first = farthest(dual, sample, cells);
+                }
+            }
+            Ok(())
+        })?;
+        Ok(FirstPoles { cells, normals })
+    }
+}
+
+/// The cell of the farthest Voronoi vertex of a sample, of equal ones the first; [`NONE`] of none.
+fn farthest(dual: &Dual, sample: usize, cells: &[u32]) -> u32 {
+    let mut first = NONE;
+    for &cell in cells {
+        if is_farther(dual, sample, cell, first) {
+            first = cell;
+        }
+    }
+    first
 }
 
 impl Selection {
@@ -44,11 +94,7 @@ impl Selection {
                     run.poll()?;
                 }
                 if *normal == [0.0; 3] {
-                    for &cell in cells {
-                        if is_farther(dual, sample, cell, first[i]) {
-                            first[i] = cell;
-                        }
-                    }
+                    first[i] = farthest(dual, sample, cells);
                 }
                 for &cell in cells {
                     if is_farther(dual, sample, cell, second[i])
@@ -130,7 +176,7 @@ fn is_exact(dual: &Dual, cell: u32) -> bool {
 /// Whether the centre of the cell lies opposite the first pole, seen from the sample: (v - s) . (p - s) < 0
 /// for the exact centres v of the cell and p of `first`, or (v - s) . d < 0 if that is [`NONE`] and
 /// the pole at infinity in direction d, the sample's normal.
-pub(super) fn is_opposite(
+pub(crate) fn is_opposite(
     dual: &Dual,
     sample: usize,
     cell: u32,

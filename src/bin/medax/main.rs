@@ -8,6 +8,8 @@ mod crust;
 mod decimate;
 mod flatten;
 mod info;
+mod labels;
+mod medial;
 mod omit;
 mod poles;
 mod progress;
@@ -39,6 +41,7 @@ enum Command {
     Triangulate(triangulate::Options),
     Poles(poles::Options),
     Crust(Box<crust::Options>),
+    Medial(Box<medial::Options>),
     Info(info::Options),
     Compare(compare::Options),
     Decimate(decimate::Options),
@@ -52,6 +55,7 @@ impl Command {
             Command::Triangulate(options) => triangulate::run(options, session),
             Command::Poles(options) => poles::run(options, session),
             Command::Crust(options) => crust::run(options, session),
+            Command::Medial(options) => medial::run(options, session),
             Command::Info(options) => info::run(options, session),
             Command::Compare(options) => compare::run(options, session),
             Command::Decimate(options) => decimate::run(options, session),

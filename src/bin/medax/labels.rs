@@ -1,0 +1,94 @@
+//! Where labels of cells come from.
+
+use crate::report::Report;
+use crate::session::{Failure, Session};
+use medax::{Dual, Labels, PowerCrust};
+use serde_json::{Map, json};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// What tells inside from outside.
+#[derive(clap::Args)]
+pub struct LabelArguments {
+    /// What tells inside from outside: the watertight surface of Tight Cocone, or the power crust
+    #[arg(long, value_enum, value_name = "SOURCE", default_value_t = Source::Crust, conflicts_with = "label_mesh")]
+    labels: Source,
+    /// Let this mesh tell instead, which may be the input itself; its faces must point out of the solid
+    #[arg(long, value_name = "MESH")]
+    label_mesh: Option<PathBuf>,
+    /// Say in how many cells the other sources disagree
+    #[arg(long)]
+    compare_labels: bool,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Source {
+    Crust,
+}
+
+impl Source {
+    const ALL: [Source; 1] = [Source::Crust];
+
+    fn name(self) -> &'static str {
+        match self {
+            Source::Crust => "crust",
+        }
+    }
+
+    fn labels(self, dual: &Arc<Dual>, session: &mut Session) -> Result<Labels, Failure> {
+        let triangulation = dual.triangulation();
+        match self {
+            Source::Crust => {
+                let points = triangulation.points();
+                let crust = PowerCrust::build(points, Default::default(), &session.job)?;
+                Ok(Labels::of_crust(triangulation, &crust, &session.job)?)
+            }
+        }
+    }
+}
+
+impl LabelArguments {
+    /// The labels, and what there is to say of them.
+    pub fn labels(
+        &self,
+        dual: &Arc<Dual>,
+        report: &mut Report,
+        session: &mut Session,
+    ) -> Result<Labels, Failure> {
+        let triangulation = dual.triangulation();
+        let (name, labels) = match &self.label_mesh {
+            Some(path) => {
+                let mesh = session.read_complex(path)?;
+                let labels = Labels::of_mesh(triangulation, &mesh, &session.job);
+                ("mesh", labels.map_err(Failure::about(path))?)
+            }
+            None => (self.labels.name(), self.labels.labels(dual, session)?),
+        };
+        report.parameters.insert("labels".into(), json!(name));
+        let path = self.label_mesh.as_ref().map(|path| path.to_string_lossy());
+        report.parameters.insert("label_mesh".into(), json!(path));
+        let inner = labels.inner_count();
+        let outer = labels.is_inner().len() - inner;
+        let mut differ = Map::new();
+        if self.compare_labels {
+            for source in Source::ALL.into_iter().filter(|source| source.name() != name) {
+                let other = source.labels(dual, session)?;
+                differ.insert(source.name().into(), json!(labels.disagreement(&other)?));
+            }
+        }
+        for (other, count) in &differ {
+            report
+                .lines
+                .push(("disagreement", format!("{count} cells with the labels of {other}")));
+        }
+        report.more.insert(
+            "labels".into(),
+            json!({ "inner": inner, "outer": outer, "disagreement": differ }),
+        );
+        report.lines.push(("labels", format!("{inner} inner, {outer} outer cells, by {name}")));
+        if inner == 0 {
+            session.warn("no cell is inner: the sample is too sparse for its shape");
+        }
+        Ok(labels)
+    }
+}

@@ -1,0 +1,224 @@
+//! The axis as a complex: the facets that a filter lets pass, and their closure.
+
+use super::filter::fulfilled;
+use super::{Medial, MedialFilter, Side};
+use crate::complex::{Attribute, Complex, ComplexParts, Element, Rows, Values};
+use crate::error::{Error, Result, Status};
+use crate::index::NONE;
+use crate::job::{Job, Room, Run, Stage, parts};
+use crate::vector::{length, sub};
+
+impl Medial {
+    /// The facets that a filter lets pass, ascending.
+    ///
+    /// Errors: [`Status::InvalidArgument`] for thresholds out of range, and for an inner or an outer side without
+    /// labels; those of the job. Cost: O(facets), a look at each.
+    pub fn selected(&self, filter: &MedialFilter, job: &Job) -> Result<Vec<u32>> {
+        job.run(&[(Stage::Extract, 1.0)], |run| {
+            run.enter(Stage::Extract)?;
+            filter.check(self)?;
+            self.selected_in(filter, &mut Room::new(run), run)
+        })
+    }
+
+    fn selected_in(
+        &self,
+        filter: &MedialFilter,
+        room: &mut Room<'_>,
+        run: &Run<'_>,
+    ) -> Result<Vec<u32>> {
+        let facets = self.facets()?;
+        let coords = self.dual.triangulation().coords();
+        let sine = libm::sin(filter.theta);
+        // An object angle of a: half the edge by the distance from its middle is the tangent of a / 2.
+        let half = libm::tan(filter.object_angle / 2.0);
+        let passes = |facet: usize| {
+            let fulfilled = fulfilled(
+                self.conditions.sines[facet],
+                self.conditions.ratios[facet],
+                sine,
+                filter.rho,
+            );
+            if !filter.rule.admits(fulfilled) {
+                return false;
+            }
+            if filter.object_angle > 0.0 || filter.lambda > 0.0 {
+                let [p, q] = facets.edges()[facet].map(|v| coords[v as usize]);
+                let lambda = length(sub(q, p)) / 2.0;
+                if lambda < filter.lambda || lambda < half * self.reaches[facet][0] {
+                    return false;
+                }
+            }
+            if filter.scale > 0.0 {
+                let mut scales = facets.ring(facet).iter().map(|&cell| self.scales[cell as usize]);
+                if !scales.any(|scale| scale > filter.scale) {
+                    return false;
+                }
+            }
+            filter.side == Side::Both || self.side_of(facets.ring(facet), facet) == filter.side
+        };
+        let pieces = run.in_steps(parts(facets.len()), [0.0, 0.4], |range| {
+            run.poll()?;
+            let mut room = Room::new(run);
+            let mut selected = Vec::new();
+            for facet in range.filter(|&facet| passes(facet)) {
+                room.push(&mut selected, facet as u32)?;
+            }
+            Ok((selected, room))
+        })?;
+        let mut selected = room.vec(pieces.iter().map(|(piece, _)| piece.len()).sum())?;
+        pieces.into_iter().for_each(|(piece, _)| selected.extend(piece));
+        Ok(selected)
+    }
+
+    /// Inner or outer if every cell of the ring is; the space outside the hull is outer. Both if the facet crosses the surface, or
+    /// there are no labels.
+    fn side_of(&self, ring: &[u32], facet: usize) -> Side {
+        let Some(labels) = &self.labels else { return Side::Both };
+        let is_inner = |&cell: &u32| labels.is_inner()[cell as usize];
+        let is_unbounded = self.dual.facets().is_some_and(|facets| facets.is_unbounded(facet));
+        match (ring.iter().all(is_inner), ring.iter().any(is_inner)) {
+            (true, _) if !is_unbounded => Side::Inner,
+            (_, false) => Side::Outer,
+            _ => Side::Both,
+        }
+    }
+
+    /// The axis: the Voronoi facets that a filter lets pass, with their edges and vertices, as convex polygons.
+    ///
+    /// Vertices are Voronoi vertices, one for all cells that share a sphere, and carry `cell`, the least of these, `radius`, that of the ball round
+    /// them through their samples, and `scale` if scales were calculated. Faces are in the order of the facets and turn counterclockwise as seen from the second sample; they carry
+    /// `facet`, `samples` (the two ends of the dual edge), `condition` (1 the angle condition, 2 the ratio condition, 3 both, 0 neither), `object_angle` (the least and
+    /// the largest on the face, in radians, in [0, pi]), `lambda` (half the length of the dual edge) and `side` (0 outer, 1 inner, 2 for one that
+    /// crosses the surface or where there are no labels). Facets that have no area, since their cells share spheres, are no faces.
+    ///
+    /// Errors: as [`Medial::selected`]. Cost: O(facets), and O(size) of what passes.
+    pub fn axis(&self, filter: &MedialFilter, job: &Job) -> Result<Complex> {
+        job.run(&[(Stage::Extract, 1.0)], |run| {
+            run.enter(Stage::Extract)?;
+            self.axis_in(filter, run)
+        })
+    }
+
+    /// [`Medial::axis`] as a stage of a larger build.
+    pub(crate) fn axis_in(&self, filter: &MedialFilter, run: &Run<'_>) -> Result<Complex> {
+        filter.check(self)?;
+        let mut room = Room::new(run);
+        let selected = self.selected_in(filter, &mut room, run)?;
+        let facets = self.facets()?;
+        let mut faces = Faces::default();
+        let mut number = room.filled(self.least_cell.len(), NONE)?;
+        let (mut cells, mut ring) = (Vec::new(), Vec::new());
+        for facet in run.watch(&selected) {
+            let &facet = facet?;
+            if facets.is_unbounded(facet as usize) {
+                continue;
+            }
+            self.ring_of(facet as usize, &mut ring)?;
+            if ring.len() < 3 {
+                continue;
+            }
+            for cell in &mut ring {
+                let number = &mut number[*cell as usize];
+                if *number == NONE {
+                    *number = cells.len() as u32;
+                    room.push(&mut cells, *cell)?;
+                }
+                *cell = *number;
+            }
+            faces.push(facet, &ring, &mut room)?;
+        }
+        drop((number, selected));
+        self.complex(faces, cells, filter, run)
+    }
+
+    /// The distinct Voronoi vertices of a facet, each by its least cell.
+    fn ring_of(&self, facet: usize, ring: &mut Vec<u32>) -> Result<()> {
+        ring.clear();
+        let cells = self.facets()?.ring(facet).iter();
+        ring.extend(cells.map(|&cell| self.least_cell[cell as usize]));
+        ring.dedup();
+        while ring.len() > 1 && ring.first() == ring.last() {
+            ring.pop();
+        }
+        Ok(())
+    }
+
+    /// The faces with their attributes, given the cells of the vertices.
+    fn complex(
+        &self,
+        faces: Faces,
+        cells: Vec<u32>,
+        filter: &MedialFilter,
+        run: &Run<'_>,
+    ) -> Result<Complex> {
+        let mut room = Room::new(run);
+        let dual = &self.dual;
+        let facets = self.facets()?;
+        let coords = dual.triangulation().coords();
+        let of_cells = cells.iter().map(|&cell| cell as usize);
+        let vertices = room.collect(of_cells.clone().map(|cell| dual.centers()[cell]))?;
+        let radii = room.collect(of_cells.clone().map(|cell| dual.radii_squared()[cell].sqrt()))?;
+        let mut attributes =
+            vec![Attribute::new("radius", Element::Vertex, 1, Values::F64(radii))?];
+        if !self.scales.is_empty() {
+            let scales = room.collect(of_cells.map(|cell| self.scales[cell]))?;
+            attributes.push(Attribute::new("scale", Element::Vertex, 1, Values::F64(scales))?);
+        }
+        let sine = libm::sin(filter.theta);
+        let count = faces.facets.len();
+        let mut samples = room.vec(2 * count)?;
+        let (mut angles, mut lambdas) = (room.vec(2 * count)?, room.vec(count)?);
+        let (mut conditions, mut sides) = (room.vec(count)?, room.vec(count)?);
+        for facet in run.watch(faces.facets.iter().map(|&facet| facet as usize)) {
+            let facet = facet?;
+            let ends = facets.edges()[facet];
+            let [p, q] = ends.map(|v| coords[v as usize]);
+            let lambda = length(sub(q, p)) / 2.0;
+            samples.extend(ends);
+            lambdas.push(lambda);
+            let [near, far] = self.reaches[facet];
+            angles.extend([far, near].map(|reach| 2.0 * libm::atan2(lambda, reach)));
+            let of_facet = (self.conditions.sines[facet], self.conditions.ratios[facet]);
+            conditions.push(fulfilled(of_facet.0, of_facet.1, sine, filter.rho));
+            sides.push(self.side_of(facets.ring(facet), facet) as u32);
+        }
+        let mut add = |name: &str, element, width, values| -> Result<()> {
+            attributes.push(Attribute::new(name, element, width, values)?);
+            Ok(())
+        };
+        add("cell", Element::Vertex, 1, Values::U32(cells))?;
+        add("facet", Element::Face, 1, Values::U32(faces.facets))?;
+        add("samples", Element::Face, 2, Values::U32(samples))?;
+        add("condition", Element::Face, 1, Values::U32(conditions))?;
+        add("object_angle", Element::Face, 2, Values::F64(angles))?;
+        add("lambda", Element::Face, 1, Values::F64(lambdas))?;
+        add("side", Element::Face, 1, Values::U32(sides))?;
+        let faces = Rows::new(faces.offsets, faces.indices)?;
+        Complex::sound_in(ComplexParts { vertices, faces, attributes, ..Default::default() }, run)
+    }
+}
+
+/// Polygons, and the Voronoi facet of each.
+struct Faces {
+    facets: Vec<u32>,
+    offsets: Vec<u32>,
+    indices: Vec<u32>,
+}
+
+impl Default for Faces {
+    fn default() -> Self {
+        Faces { facets: Vec::new(), offsets: vec![0], indices: Vec::new() }
+    }
+}
+
+impl Faces {
+    fn push(&mut self, facet: u32, ring: &[u32], room: &mut Room<'_>) -> Result<()> {
+        room.push(&mut self.facets, facet)?;
+        room.grow(&mut self.indices, ring.len())?;
+        self.indices.extend_from_slice(ring);
+        let end = u32::try_from(self.indices.len())
+            .map_err(|_| Error::new(Status::LimitExceeded, "more than 2^32 - 1 indices"))?;
+        room.push(&mut self.offsets, end)
+    }
+}
