@@ -2247,6 +2247,30 @@ medax_status medax_power_crust_offset(const medax_power_crust *crust,
                                       const medax_power_crust **out_crust);
 
 /**
+ * Builds the scale axis of one side: the axis of the union of its balls, grown by a factor, with the balls shrunk back (Giesen, Miklos,
+ * Pauly, Wormser 2009). What is small beside what is near is gone.
+ *
+ * It is the dual complex of the union, which has its homotopy type. Vertices have the attributes `radius`, `pole`, `label` and `object_angle`, as
+ * those of #medax_power_crust_shape.
+ *
+ * \param crust The power crust.
+ * \param side A #medax_label.
+ * \param factor The factor, at least 1.
+ * \param job NULL for a default job.
+ * \param out_axis Receives the axis, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for a factor below 1 or too large, or a number that is no label; `TOO_FEW_POINTS` or `DEGENERATE`
+ *         where there are too few balls of that side; `NULL_ARGUMENT`, `LIMIT_EXCEEDED`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * One regular triangulation. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_power_crust_scale_axis(const medax_power_crust *crust,
+                                          uint32_t side,
+                                          double factor,
+                                          const medax_job *job,
+                                          const medax_complex **out_axis);
+
+/**
  * Sets simplify options to their defaults.
  *
  * \param options The caller's struct, of `struct_size` bytes.

@@ -45,6 +45,40 @@ pub unsafe extern "C" fn medax_power_crust_offset(
     })
 }
 
+/// Builds the scale axis of one side: the axis of the union of its balls, grown by a factor, with the balls shrunk back (Giesen, Miklos,
+/// Pauly, Wormser 2009). What is small beside what is near is gone.
+///
+/// It is the dual complex of the union, which has its homotopy type. Vertices have the attributes `radius`, `pole`, `label` and `object_angle`, as
+/// those of #medax_power_crust_shape.
+///
+/// \param crust The power crust.
+/// \param side A #medax_label.
+/// \param factor The factor, at least 1.
+/// \param job NULL for a default job.
+/// \param out_axis Receives the axis, which the caller frees with #medax_complex_free.
+/// \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for a factor below 1 or too large, or a number that is no label; `TOO_FEW_POINTS` or `DEGENERATE`
+///         where there are too few balls of that side; `NULL_ARGUMENT`, `LIMIT_EXCEEDED`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+///
+/// One regular triangulation. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_power_crust_scale_axis(
+    crust: *const medax_power_crust,
+    side: u32,
+    factor: f64,
+    job: *const medax_job,
+    out_axis: *mut *const medax_complex,
+) -> medax_status {
+    boundary::status(|| {
+        let crust = &handle::get(crust, "crust")?.crust;
+        let side = super::crust::label(side)?;
+        let out = Out::new(out_axis, "out_axis")?;
+        let mut own = None;
+        let axis = crust.scale_axis(side, factor, handle::job(job, &mut own))?;
+        out.put(complex::give(Arc::new(axis)));
+        Ok(())
+    })
+}
+
 /// How far a power shape is simplified.
 #[derive(Clone, Copy)]
 #[repr(C)]

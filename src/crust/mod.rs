@@ -17,6 +17,7 @@ mod links;
 mod places;
 mod queue;
 mod relabel;
+mod scale_axis;
 mod shape;
 mod shards;
 mod simplify;

@@ -1,33 +1,26 @@
 //! Labels from a power crust.
 
-use super::{Labels, barycentre};
+use super::Labels;
 use crate::crust::{Label, PowerCrust};
+use crate::dual::Dual;
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
 use crate::job::{Job, PART, Room, Run, Stage};
-use crate::triangulation::{Descent, Triangulation};
-use std::sync::Arc;
+use crate::poles::position;
+use crate::triangulation::Descent;
 
 impl Labels {
-    /// A cell is inner where its barycentre lies in the power cell of an inner pole: in the solid that the power crust bounds.
+    /// A cell is inner where its Voronoi vertex lies in the power cell of an inner pole: in the solid that the power crust bounds.
     ///
     /// Errors: [`Status::Mismatch`] for a power crust of other samples, and those of the job. Cost: about O(m) for m cells.
-    pub fn of_crust(
-        triangulation: &Arc<Triangulation>,
-        crust: &PowerCrust,
-        job: &Job,
-    ) -> Result<Self> {
-        job.run(&[(Stage::Label, 1.0)], |run| Labels::of_crust_in(triangulation, crust, run))
+    pub fn of_crust(dual: &Dual, crust: &PowerCrust, job: &Job) -> Result<Self> {
+        job.run(&[(Stage::Label, 1.0)], |run| Labels::of_crust_in(dual, crust, run))
     }
 
     /// [`Labels::of_crust`] as a stage of a larger build.
-    pub(crate) fn of_crust_in(
-        triangulation: &Arc<Triangulation>,
-        crust: &PowerCrust,
-        run: &Run<'_>,
-    ) -> Result<Self> {
+    pub(crate) fn of_crust_in(dual: &Dual, crust: &PowerCrust, run: &Run<'_>) -> Result<Self> {
         run.enter(Stage::Label)?;
-        let t = &**triangulation;
+        let t = dual.triangulation();
         let poles = crust.poles();
         let samples = &poles.triangulation().coords()[..poles.sample_count()];
         if t.coords() != samples {
@@ -59,12 +52,12 @@ impl Labels {
                 if let Some(pole) = pole {
                     from = vertex_of_pole[pole as usize];
                 }
-                from = descent.nearest(barycentre(t, cell), from);
+                from = descent.nearest(position(dual, cell as u32), from);
                 let pole = regular.row_of_vertex()[from as usize];
                 *is_inner = crust.labels()[pole as usize] == Label::Inner;
             }
             Ok(())
         })?;
-        Ok(Labels { triangulation: triangulation.clone(), is_inner })
+        Ok(Labels { triangulation: t.clone(), is_inner })
     }
 }

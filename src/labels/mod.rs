@@ -12,8 +12,9 @@ use std::sync::Arc;
 
 /// For each cell of a Delaunay triangulation of samples whether it lies in the solid.
 ///
-/// A cell is inner if its barycentre lies in the solid; where the solid is a union of cells that is the same as being one of
-/// them. Invariant: one label for each cell.
+/// Where a mesh or a power crust tells, a cell is inner if its Voronoi vertex, the centre of its circumscribed sphere, lies in the solid, and not its barycentre: a flat cell
+/// that lies in the surface is nowhere, but its Voronoi vertex may be far away, and then it is outside. Tight Cocone, which
+/// goes by the Voronoi edges that cross the surface, tells the same. Invariant: one label for each cell.
 #[derive(Clone, Debug)]
 pub struct Labels {
     triangulation: Arc<Triangulation>,
@@ -70,11 +71,4 @@ impl Labels {
             }
         }
     }
-}
-
-/// The barycentre of a cell.
-fn barycentre(t: &Triangulation, cell: usize) -> [f64; 3] {
-    let corners = t.cells()[cell].map(|v| t.coords()[v as usize]);
-    // Quarters first: the sum of four may overflow.
-    [0, 1, 2].map(|k| corners.iter().map(|corner| corner[k] / 4.0).sum())
 }

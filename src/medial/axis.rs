@@ -1,5 +1,6 @@
 //! The axis as a complex: the facets that a filter lets pass, and their closure.
 
+use super::clip::{Clip, Corner};
 use super::filter::fulfilled;
 use super::{Medial, MedialFilter, Side};
 use crate::complex::{Attribute, Complex, ComplexParts, Element, Rows, Values};
@@ -7,6 +8,7 @@ use crate::error::{Error, Result, Status};
 use crate::index::NONE;
 use crate::job::{Job, Room, Run, Stage, parts};
 use crate::vector::{length, sub};
+use std::collections::HashMap;
 
 impl Medial {
     /// The facets that a filter lets pass, ascending.
@@ -86,7 +88,7 @@ impl Medial {
 
     /// The axis: the Voronoi facets that a filter lets pass, with their edges and vertices, as convex polygons.
     ///
-    /// Vertices are Voronoi vertices, one for all cells that share a sphere, and carry `cell`, the least of these, `radius`, that of the ball round
+    /// Vertices are Voronoi vertices, one for all cells that share a sphere, and carry `cell`, the least of these, or [`NONE`] where a box has cut, `radius`, that of the ball round
     /// them through their samples, and `scale` if scales were calculated. Faces are in the order of the facets and turn counterclockwise as seen from the second sample; they carry
     /// `facet`, `samples` (the two ends of the dual edge), `condition` (1 the angle condition, 2 the ratio condition, 3 both, 0 neither), `object_angle` (the least and
     /// the largest on the face, in radians, in [0, pi]), `lambda` (half the length of the dual edge) and `side` (0 outer, 1 inner, 2 for one that
@@ -107,9 +109,54 @@ impl Medial {
         let selected = self.selected_in(filter, &mut room, run)?;
         let facets = self.facets()?;
         let mut faces = Faces::default();
+        match filter.clip {
+            None => self.bounded_faces(&selected, &mut faces, &mut room, run)?,
+            Some(clip) => {
+                let mut clip = Clip::new(&self.dual, facets, &self.least_cell, clip);
+                let mut number: HashMap<Corner, u32> = HashMap::new();
+                let mut ring = Vec::new();
+                for facet in run.watch(&selected) {
+                    let &facet = facet?;
+                    let sides = clip.cut(facet as usize);
+                    if sides.len() < 3 {
+                        continue;
+                    }
+                    ring.clear();
+                    let sample = facets.edges()[facet as usize][0];
+                    for &(corner, at, _) in sides {
+                        let next = faces.cells.len() as u32;
+                        let vertex = match number.get(&corner) {
+                            Some(&vertex) => vertex,
+                            None => {
+                                room.insert(&mut number, corner, next)?;
+                                let cell =
+                                    if let Corner::Vertex(cell) = corner { cell } else { NONE };
+                                faces.add_corner(cell, at, sample, &mut room)?;
+                                next
+                            }
+                        };
+                        ring.push(vertex);
+                    }
+                    faces.push(facet, &ring, &mut room)?;
+                }
+            }
+        }
+        drop(selected);
+        self.complex(faces, filter, run)
+    }
+
+    /// The facets that are bounded and have an area.
+    fn bounded_faces(
+        &self,
+        selected: &[u32],
+        faces: &mut Faces,
+        room: &mut Room<'_>,
+        run: &Run<'_>,
+    ) -> Result<()> {
+        let facets = self.facets()?;
         let mut number = room.filled(self.least_cell.len(), NONE)?;
-        let (mut cells, mut ring) = (Vec::new(), Vec::new());
-        for facet in run.watch(&selected) {
+        let mut ring = Vec::new();
+        for facet in run.watch(selected) {
             let &facet = facet?;
             if facets.is_unbounded(facet as usize) {
                 continue;
@@ -118,18 +165,18 @@ impl Medial {
             if ring.len() < 3 {
                 continue;
             }
+            let sample = facets.edges()[facet as usize][0];
             for cell in &mut ring {
                 let number = &mut number[*cell as usize];
                 if *number == NONE {
-                    *number = cells.len() as u32;
-                    room.push(&mut cells, *cell)?;
+                    *number = faces.cells.len() as u32;
+                    faces.add_corner(*cell, self.dual.centers()[*cell as usize], sample, room)?;
                 }
                 *cell = *number;
             }
-            faces.push(facet, &ring, &mut room)?;
+            faces.push(facet, &ring, room)?;
         }
-        drop((number, selected));
-        self.complex(faces, cells, filter, run)
+        Ok(())
     }
 
     /// The distinct Voronoi vertices of a facet, each by its least cell.
@@ -144,25 +191,23 @@ impl Medial {
         Ok(())
     }
 
-    /// The faces with their attributes, given the cells of the vertices.
-    fn complex(
-        &self,
-        faces: Faces,
-        cells: Vec<u32>,
-        filter: &MedialFilter,
-        run: &Run<'_>,
-    ) -> Result<Complex> {
+    /// The faces with their attributes.
+    fn complex(&self, faces: Faces, filter: &MedialFilter, run: &Run<'_>) -> Result<Complex> {
         let mut room = Room::new(run);
         let dual = &self.dual;
         let facets = self.facets()?;
         let coords = dual.triangulation().coords();
-        let of_cells = cells.iter().map(|&cell| cell as usize);
-        let vertices = room.collect(of_cells.clone().map(|cell| dual.centers()[cell]))?;
-        let radii = room.collect(of_cells.clone().map(|cell| dual.radii_squared()[cell].sqrt()))?;
+        let Faces { cells, positions: vertices, samples: touched, .. } = faces;
+        let of_vertices = cells.iter().zip(&vertices).zip(&touched);
+        let radii = room.collect(of_vertices.map(|((&cell, &at), &sample)| match cell {
+            NONE => length(sub(at, coords[sample as usize])),
+            cell => dual.radii_squared()[cell as usize].sqrt(),
+        }))?;
         let mut attributes =
             vec![Attribute::new("radius", Element::Vertex, 1, Values::F64(radii))?];
         if !self.scales.is_empty() {
-            let scales = room.collect(of_cells.map(|cell| self.scales[cell]))?;
+            let scale = |&cell: &u32| self.scales.get(cell as usize).copied().unwrap_or(f64::NAN);
+            let scales = room.collect(cells.iter().map(scale))?;
             attributes.push(Attribute::new("scale", Element::Vertex, 1, Values::F64(scales))?);
         }
         let sine = libm::sin(filter.theta);
@@ -199,20 +244,43 @@ impl Medial {
     }
 }
 
-/// Polygons, and the Voronoi facet of each.
+/// Polygons, and the Voronoi facet of each; corners, each with its cell, or [`NONE`] where a box has cut, its place, and a sample on
+/// the ball round it.
 struct Faces {
     facets: Vec<u32>,
     offsets: Vec<u32>,
     indices: Vec<u32>,
+    cells: Vec<u32>,
+    positions: Vec<[f64; 3]>,
+    samples: Vec<u32>,
 }
 
 impl Default for Faces {
     fn default() -> Self {
-        Faces { facets: Vec::new(), offsets: vec![0], indices: Vec::new() }
+        Faces {
+            facets: Vec::new(),
+            offsets: vec![0],
+            indices: Vec::new(),
+            cells: Vec::new(),
+            positions: Vec::new(),
+            samples: Vec::new(),
+        }
     }
 }
 
 impl Faces {
+    fn add_corner(
+        &mut self,
+        cell: u32,
+        at: [f64; 3],
+        sample: u32,
+        room: &mut Room<'_>,
+    ) -> Result<()> {
+        room.push(&mut self.cells, cell)?;
+        room.push(&mut self.positions, at)?;
+        room.push(&mut self.samples, sample)
+    }
+
     fn push(&mut self, facet: u32, ring: &[u32], room: &mut Room<'_>) -> Result<()> {
         room.push(&mut self.facets, facet)?;
         room.grow(&mut self.indices, ring.len())?;

@@ -35,7 +35,7 @@ impl Conditions {
         let mut ratios = room.filled(facets.len(), none)?;
         let results = sines.chunks_mut(PART).zip(ratios.chunks_mut(PART));
         let chunks = results.zip(facets.edges().chunks(PART)).collect();
-        run.in_steps(chunks, [0.7, 0.9], |((sines, ratios), edges)| {
+        run.in_steps(chunks, [0.7, 1.0], |((sines, ratios), edges)| {
             run.poll()?;
             let mut seen = 0;
             for ((sine, ratio), ends) in sines.iter_mut().zip(ratios).zip(edges) {

@@ -5,6 +5,7 @@
 //! the triangles of the surface there. See `docs/algorithms/medial.md`.
 
 mod axis;
+mod clip;
 mod conditions;
 mod filter;
 mod reach;
@@ -68,7 +69,8 @@ impl Medial {
         options: MedialOptions,
         job: &Job,
     ) -> Result<Self> {
-        job.run(&[(Stage::Medial, 1.0)], |run| Medial::new_in(dual, labels, options, run))
+        let plan = [(Stage::Medial, 0.6), (Stage::Extract, 0.4)];
+        job.run(&plan, |run| Medial::new_in(dual, labels, options, run))
     }
 
     /// [`Medial::new`] as a stage of a larger build.
@@ -101,6 +103,8 @@ impl Medial {
         let umbrellas = Umbrellas::new(dual, &incidence, &poles, &mut room, run)?;
         drop(incidence);
         let conditions = Conditions::new(t, facets, &umbrellas, &mut room, run)?;
+        // What follows decides nothing of MEDIAL.
+        run.enter(Stage::Extract)?;
         let reaches = reach::reaches(dual, facets, &mut room, run)?;
         let least_cell = least_cells(dual, &mut room, run)?;
         let scales = match options.scales {

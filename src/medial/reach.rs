@@ -16,7 +16,7 @@ pub(super) fn reaches(
 ) -> Result<Vec<[f64; 2]>> {
     let mut reaches = room.filled(facets.len(), [0.0; 2])?;
     let chunks = reaches.chunks_mut(PART / 4).zip(0..).collect();
-    run.in_steps(chunks, [0.9, 1.0], |(reaches, chunk): (&mut [[f64; 2]], usize)| {
+    run.in_steps(chunks, [0.0, 0.5], |(reaches, chunk): (&mut [[f64; 2]], usize)| {
         run.poll()?;
         let mut seen = 0;
         for (i, reach) in reaches.iter_mut().enumerate() {

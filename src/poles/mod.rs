@@ -254,7 +254,7 @@ impl Poles {
 }
 
 /// The centre of a cell, as far as that is within the range of exact predicates.
-fn position(dual: &Dual, cell: u32) -> [f64; 3] {
+pub(crate) fn position(dual: &Dual, cell: u32) -> [f64; 3] {
     dual.centers()[cell as usize].map(|x| match x.abs() < COORDINATE_MIN {
         true => 0.0,
         false => x.clamp(-POLE_MAX, POLE_MAX),

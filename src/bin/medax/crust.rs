@@ -30,6 +30,10 @@ pub struct Options {
     /// The side of the surface whose power shape is written
     #[arg(long, value_enum, default_value_t = Side::Inner)]
     side: Side,
+    /// Write the scale axis of that side in place of the power shape: of balls grown by this factor, so that features are gone that are small
+    /// beside what is near, and shrunk back
+    #[arg(long, allow_hyphen_values = true, value_name = "FACTOR", requires = "shape")]
+    scale_axis: Option<f64>,
     /// Where to write the poles, with radius, object angle and label (0 outer, 1 inner)
     #[arg(long, value_name = "FILE")]
     poles: Option<PathBuf>,
@@ -105,6 +109,9 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     options.output.check(&[&options.shape, &options.poles, &samples, &sizes])?;
     options.variants.check()?;
     options.flatten.check()?;
+    if options.scale_axis.is_some() && options.side == Side::Both {
+        return Err(Failure::usage("--scale-axis is of one side, inner or outer"));
+    }
     let mut asked = match options.deep_degrees {
         None => PowerCrustOptions::default(),
         Some(degrees) if (90.0..=180.0).contains(&degrees) => {
@@ -147,6 +154,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
         ("viewpoint", json!(options.viewpoint)),
         ("triangles", json!(options.triangles)),
         ("side", json!(options.side.name())),
+        ("scale_axis", json!(options.scale_axis)),
         ("label_mesh", json!(options.label_mesh.as_ref().map(|path| path.to_string_lossy()))),
     ] {
         report.parameters.insert(name.into(), value);
@@ -190,7 +198,15 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     let path = options.output.output.as_deref();
     report.outputs.push(session.deliver("surface", surface, path, &options.output)?);
     if let Some(path) = &options.shape {
-        let (name, shape) = shape(&crust, options.side)?;
+        let (name, shape) = match (options.scale_axis, options.side) {
+            (None, side) => shape(&crust, side)?,
+            (Some(factor), Side::Inner) => {
+                ("inner scale axis", crust.scale_axis(Label::Inner, factor, &session.job)?)
+            }
+            (Some(factor), _) => {
+                ("outer scale axis", crust.scale_axis(Label::Outer, factor, &session.job)?)
+            }
+        };
         let shape = options.flatten.apply(shape, &mut report, session)?;
         report.outputs.push(session.deliver(name, &shape, Some(path), &options.output)?);
     }

@@ -36,12 +36,11 @@ impl Source {
     }
 
     fn labels(self, dual: &Arc<Dual>, session: &mut Session) -> Result<Labels, Failure> {
-        let triangulation = dual.triangulation();
         match self {
             Source::Crust => {
-                let points = triangulation.points();
+                let points = dual.triangulation().points();
                 let crust = PowerCrust::build(points, Default::default(), &session.job)?;
-                Ok(Labels::of_crust(triangulation, &crust, &session.job)?)
+                Ok(Labels::of_crust(dual, &crust, &session.job)?)
             }
         }
     }
@@ -55,11 +54,10 @@ impl LabelArguments {
         report: &mut Report,
         session: &mut Session,
     ) -> Result<Labels, Failure> {
-        let triangulation = dual.triangulation();
         let (name, labels) = match &self.label_mesh {
             Some(path) => {
                 let mesh = session.read_complex(path)?;
-                let labels = Labels::of_mesh(triangulation, &mesh, &session.job);
+                let labels = Labels::of_mesh(dual, &mesh, &session.job);
                 ("mesh", labels.map_err(Failure::about(path))?)
             }
             None => (self.labels.name(), self.labels.labels(dual, session)?),
