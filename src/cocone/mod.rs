@@ -221,10 +221,11 @@ fn open_surface(
     let kept = prune::prune(t, &sheet, &mut is_pruned, room, run)?;
     let sheet = Sheet::new(t, sheet.kept(&kept, room)?, room, run)?;
     let seen = walk::walk(t, &sheet, room, run)?;
-    let kept: Vec<bool> = room.collect(seen.iter().map(|&side| side != Side::Unseen))?;
+    let mut kept: Vec<bool> = room.collect(seen.iter().map(|&side| side != Side::Unseen))?;
+    prune::cut_flaps(&sheet, &mut kept, room, run)?;
     let sheet = Sheet::new(t, sheet.kept(&kept, room)?, room, run)?;
     let mut front = room.vec(sheet.len())?;
-    front.extend(seen.iter().filter(|&&s| s != Side::Unseen).map(|&s| s == Side::Front));
+    front.extend(seen.iter().zip(&kept).filter(|(_, kept)| **kept).map(|(&s, _)| s == Side::Front));
     let walls = sheet.walls(t, room, run)?;
     Ok(Open { sheet, walls, front, is_flat })
 }

@@ -67,6 +67,46 @@ pub(super) fn prune(
     Ok(kept)
 }
 
+/// Removes flaps: triangles that have an edge to themselves, and another with two triangles at least besides.
+///
+/// They hang on a surface that goes on without them. Where neither end of the free edge is well sampled nothing else removes them; the papers
+/// have no such step. Of several flaps on one edge the first go first.
+pub(super) fn cut_flaps(
+    sheet: &Sheet,
+    kept: &mut [bool],
+    room: &mut Room<'_>,
+    run: &Run<'_>,
+) -> Result<()> {
+    let mut counts = room.filled(sheet.edge_count(), 0u32)?;
+    for facet in run.watch(sheet.edge_of_side.iter().zip(kept.iter())) {
+        let (edges, &kept) = facet?;
+        for &edge in edges.iter().filter(|_| kept) {
+            counts[edge as usize] += 1;
+        }
+    }
+    let mut stack = room.collect((0..sheet.len() as u32).rev())?;
+    let mut done = 0;
+    while let Some(facet) = stack.pop() {
+        done += 1;
+        if done % 4096 == 0 {
+            run.poll()?;
+        }
+        let of_edges = sheet.edge_of_side[facet as usize].map(|edge| counts[edge as usize]);
+        let is_flap = of_edges.contains(&1) && of_edges.iter().any(|&count| count > 2);
+        if kept[facet as usize] && is_flap {
+            kept[facet as usize] = false;
+            for edge in sheet.edge_of_side[facet as usize] {
+                counts[edge as usize] -= 1;
+                for &side in sheet.sides_of_edge(edge).iter().filter(|_| counts[edge as usize] == 1)
+                {
+                    room.push(&mut stack, side / 4)?;
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
 /// The triangles round one vertex.
 #[derive(Default)]
 struct Star {

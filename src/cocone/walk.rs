@@ -5,7 +5,9 @@ use crate::complex::DisjointSets;
 use crate::error::Result;
 use crate::index::NONE;
 use crate::job::{Room, Run};
+use crate::predicates::{Sign, orient3d};
 use crate::triangulation::Triangulation;
+use crate::vector::{dot, sub};
 
 /// What the walk has seen of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,7 +55,10 @@ pub(super) fn walk(
             }
             for side in 0..3 {
                 let (next, seen_side) = orders.next(sheet, facet, side, seen[facet as usize]);
-                if next != facet && seen[next as usize] == Side::Unseen {
+                if next != facet
+                    && seen[next as usize] == Side::Unseen
+                    && !is_fold(t, sheet, facet, side, seen[facet as usize], next)
+                {
                     seen[next as usize] = seen_side;
                     room.push(&mut stack, next)?;
                 }
@@ -61,6 +66,27 @@ pub(super) fn walk(
         }
     }
     Ok(seen)
+}
+
+/// Whether the walk would turn by more than 3 pi / 2 round a side of a triangle to come to the next one: from one layer to
+/// the back of another.
+fn is_fold(
+    t: &Triangulation,
+    sheet: &Sheet,
+    facet: u32,
+    side: usize,
+    seen: Side,
+    next: u32,
+) -> bool {
+    let corners = sheet.corners[facet as usize];
+    let [a, b, c] = [0, 1, 2].map(|k| corners[(side + k) % 3]);
+    let apex = sheet.corners[next as usize].into_iter().find(|v| ![a, b].contains(v));
+    let at = |v: u32| &t.coords()[v as usize];
+    let [along, own, other] = [b, c, apex.unwrap_or(c)].map(|v| sub(*at(v), *at(a)));
+    let cosine = dot(own, other) * dot(along, along) - dot(own, along) * dot(other, along);
+    // In front of a triangle the determinant is positive; two triangles that lie in one plane do not overlap.
+    let before = orient3d(at(a), at(b), at(c), at(apex.unwrap_or(c)));
+    cosine > 0.0 && before == if seen == Side::Front { Sign::Negative } else { Sign::Positive }
 }
 
 /// Every triangle with the side that the larger region is on; first, of each component, that with the largest region before it.
