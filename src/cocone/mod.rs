@@ -14,13 +14,13 @@ mod surface;
 mod umbrella;
 mod walk;
 
-use crate::complex::Complex;
+use crate::complex::{Complex, DisjointSets};
 use crate::dual::Dual;
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
 use crate::job::{Job, Room, Run, Stage, parts};
-use crate::poles::{self, Selection};
-use crate::triangulation::{Incidence, Triangulation};
+use crate::poles;
+use crate::triangulation::Triangulation;
 use cone::Cones;
 use mark::Marks;
 use sheet::Sheet;
@@ -106,9 +106,13 @@ impl Cocone {
         let incidence = t.incidence_in(run)?;
         room.keep(4 * (t.coords().len() + 4 * t.cells().len()))?;
         run.enter(Stage::Label)?;
-        let Open { sheet, walls, front, is_flat } =
-            open_surface(dual, &poles, &incidence, options, &mut room, run)?;
-        drop(poles);
+        let cones = Cones::new(dual, &poles, libm::sin(options.angle), &mut room, run)?;
+        let conditions = [options.ratio, libm::cos(options.normal_angle)];
+        let is_flat = flat::flat_samples(&cones, &incidence, conditions, &mut room, run)?;
+        let open = Layer::new(&cones, &is_flat, false, &mut room, run)?;
+        let Layer { sheet, .. } = Layer::new(&cones, &is_flat, true, &mut room, run)?;
+        drop(cones);
+        let walls = sheet.walls(t, &mut room, run)?;
         let umbrellas = Umbrellas::new(t, &sheet, &walls, &incidence, &mut room, run)?;
         let Marks { of_cells: marks, .. } = mark::mark(dual, &sheet, &umbrellas, &mut room, run)?;
         let is_inner = peel::peel(t, &walls, &marks, &mut room, run)?;
@@ -121,9 +125,10 @@ impl Cocone {
                  take more samples, or the power crust",
             ));
         }
-        let surface = surface::complex(t, &boundary, &mut room, run)?;
-        let facets = turned(t, &sheet, &front, &is_inner, &mut room, run)?;
-        let open_surface = surface::complex(t, &facets, &mut room, run)?;
+        let never = room.filled(boundary.len(), false)?;
+        let surface = surface::complex(t, &boundary, &never, &mut room, run)?;
+        let turned = turned(t, &open, &is_inner, &mut room, run)?;
+        let open_surface = surface::complex(t, &open.sheet.facets, &turned, &mut room, run)?;
         Ok(Cocone {
             options,
             dual: dual.clone(),
@@ -161,7 +166,8 @@ impl Cocone {
 
     /// The Cocone: a layer of candidate triangles, open where the sample is not dense enough. Attributes are those of [`Cocone::surface`].
     ///
-    /// A triangle between an inner and an outer cell is oriented outward, any other one as its neighbours are.
+    /// It is oriented, and no edge has more than two triangles. Components point out where more of their triangles
+    /// do that lie between inner and outer cells; `inner_cell` is what lies behind a triangle, also where that is not inner, and [`NONE`] beyond the hull.
     pub fn open_surface(&self) -> &Arc<Complex> {
         &self.open_surface
     }
@@ -176,7 +182,8 @@ impl Cocone {
         &self.is_undersampled
     }
 
-    /// For each sample whether the open surface is a disk round it.
+    /// For each sample whether the triangles round it are a disk that divides inside from outside. Triangles of undersampled points count here,
+    /// which are not in the open surface.
     pub fn is_well_sampled(&self) -> &[bool] {
         &self.is_well_sampled
     }
@@ -192,49 +199,54 @@ impl Cocone {
     }
 }
 
-/// The surface of plain Cocone.
-struct Open {
+/// One layer of the candidate triangles.
+struct Layer {
     sheet: Sheet,
-    /// For each cell the bits of its facets that are in the sheet.
-    walls: Vec<u8>,
     /// For each triangle whether the walk was in front of it.
     front: Vec<bool>,
-    is_flat: Vec<bool>,
 }
 
-fn open_surface(
-    dual: &Dual,
-    poles: &Selection,
-    incidence: &Incidence,
-    options: CoconeOptions,
-    room: &mut Room<'_>,
-    run: &Run<'_>,
-) -> Result<Open> {
-    let t = &**dual.triangulation();
-    let cones = Cones::new(dual, poles, libm::sin(options.angle), room, run)?;
-    let conditions = [options.ratio, libm::cos(options.normal_angle)];
-    let is_flat = flat::flat_samples(&cones, incidence, conditions, room, run)?;
-    let candidates = candidates(&cones, &is_flat, room, run)?;
-    drop(cones);
-    let sheet = Sheet::new(t, candidates, room, run)?;
-    let mut is_pruned = room.collect(is_flat.iter().copied())?;
-    let kept = prune::prune(t, &sheet, &mut is_pruned, room, run)?;
-    let sheet = Sheet::new(t, sheet.kept(&kept, room)?, room, run)?;
-    let seen = walk::walk(t, &sheet, room, run)?;
-    let mut kept: Vec<bool> = room.collect(seen.iter().map(|&side| side != Side::Unseen))?;
-    prune::cut_flaps(&sheet, &mut kept, room, run)?;
-    let sheet = Sheet::new(t, sheet.kept(&kept, room)?, room, run)?;
-    let mut front = room.vec(sheet.len())?;
-    front.extend(seen.iter().zip(&kept).filter(|(_, kept)| **kept).map(|(&s, _)| s == Side::Front));
-    let walls = sheet.walls(t, room, run)?;
-    Ok(Open { sheet, walls, front, is_flat })
+impl Layer {
+    /// The pruned candidates that a walk meets; see [`candidates`] and [`walk::walk`].
+    fn new(
+        cones: &Cones<'_>,
+        is_flat: &[bool],
+        everywhere: bool,
+        room: &mut Room<'_>,
+        run: &Run<'_>,
+    ) -> Result<Self> {
+        let t = &**cones.dual.triangulation();
+        let candidates = candidates(cones, is_flat, everywhere, room, run)?;
+        let sheet = Sheet::new(t, candidates, room, run)?;
+        let mut is_pruned = room.collect(is_flat.iter().copied())?;
+        let kept = prune::prune(t, &sheet, &mut is_pruned, room, run)?;
+        let sheet = Sheet::new(t, sheet.kept(&kept, room)?, room, run)?;
+        // What a first walk finds to be flaps is in the way of the second.
+        let seen = walk::walk(t, &sheet, is_flat, false, room, run)?;
+        let is_seen = |side: &Side| *side != Side::Unseen;
+        let mut kept = room.collect(seen.iter().map(is_seen))?;
+        prune::cut_flaps(&sheet, &mut kept, room, run)?;
+        let kept: Vec<bool> =
+            room.collect(seen.iter().zip(&kept).map(|(side, kept)| !is_seen(side) || *kept))?;
+        let sheet = Sheet::new(t, sheet.kept(&kept, room)?, room, run)?;
+        let seen = walk::walk(t, &sheet, is_flat, !everywhere, room, run)?;
+        let mut kept = room.collect(seen.iter().map(is_seen))?;
+        prune::cut_flaps(&sheet, &mut kept, room, run)?;
+        let mut front = room.vec(sheet.len())?;
+        let sides = seen.iter().zip(&kept).filter(|(_, kept)| **kept);
+        front.extend(sides.map(|(&side, _)| side == Side::Front));
+        let sheet = Sheet::new(t, sheet.kept(&kept, room)?, room, run)?;
+        Ok(Layer { sheet, front })
+    }
 }
 
 /// The candidate triangles, ascending: those whose dual Voronoi edge meets the cocones of all their vertices that are flat, one at least
-/// (Dey, Giesen 2001, section 5: the pole vectors of others say nothing).
+/// (Dey, Giesen 2001, section 5: the pole vectors of others say nothing). `everywhere` triangles without a flat vertex are
+/// candidates, too, if the edge meets the cocones of all three (Amenta, Choi, Dey, Leekha 2002).
 fn candidates(
     cones: &Cones<'_>,
     is_flat: &[bool],
+    everywhere: bool,
     room: &mut Room<'_>,
     run: &Run<'_>,
 ) -> Result<Vec<[u32; 2]>> {
@@ -250,10 +262,11 @@ fn candidates(
                 if (next as usize) < cell {
                     continue;
                 }
-                let flat = |v: &u32| is_flat[*v as usize];
                 let corners = t.facet(cell as u32, i);
-                let mut tested = corners.into_iter().filter(flat).peekable();
-                if tested.peek().is_some() && tested.all(|v| cones.meets(cell as u32, i, v)) {
+                let flat = |v: u32| is_flat[v as usize];
+                let some_flat = corners.into_iter().any(flat);
+                let meets = |v: u32| (some_flat && !flat(v)) || cones.meets(cell as u32, i, v);
+                if (some_flat || everywhere) && corners.into_iter().all(meets) {
                     room.push(&mut facets, [cell as u32, i as u32])?;
                 }
             }
@@ -268,31 +281,38 @@ fn candidates(
     Ok(facets)
 }
 
-/// The triangles of the open surface as cells and facets out of which they point.
+/// For each triangle of a layer whether it must be turned to point out: as the walk saw it, but for components of which more triangles
+/// between inner and outer cells then point in than out.
 fn turned(
     t: &Triangulation,
-    sheet: &Sheet,
-    front: &[bool],
+    layer: &Layer,
     is_inner: &[bool],
     room: &mut Room<'_>,
     run: &Run<'_>,
-) -> Result<Vec<[u32; 2]>> {
-    let mut facets = room.vec(sheet.len())?;
+) -> Result<Vec<bool>> {
+    let sheet = &layer.sheet;
+    room.keep(4 * sheet.len())?;
+    let mut components = DisjointSets::new(sheet.len(), run)?;
+    for edge in run.watch(0..sheet.edge_count() as u32) {
+        for pair in sheet.sides_of_edge(edge?).windows(2) {
+            components.join(pair[0] / 4, pair[1] / 4);
+        }
+    }
+    let mut agree = room.filled(sheet.len(), 0i64)?;
     for facet in run.watch(0..sheet.len() as u32) {
         let facet = facet?;
-        let [cell, i] = sheet.facets[facet as usize];
-        let other = umbrella::other_side(t, cell, i as usize);
-        let is_in = |cell: u32| is_inner[cell as usize];
-        let turn = match other {
-            Some((next, _)) if is_in(cell) != is_in(next) => is_in(next),
-            None if is_in(cell) => false,
-            _ => !front[facet as usize],
-        };
-        // What lies beyond the hull is no cell.
-        facets.push(match other {
-            Some((next, j)) if turn => [next, j as u32],
-            _ => [cell, i],
-        });
+        let is_in = |cell: u32| cell != NONE && is_inner[cell as usize];
+        let [behind, before] = sheet.cells(t, facet).map(is_in);
+        if behind != before {
+            let points_out = behind == layer.front[facet as usize];
+            agree[components.root(facet) as usize] += if points_out { 1 } else { -1 };
+        }
     }
-    Ok(facets)
+    let mut turned = room.vec(sheet.len())?;
+    for facet in run.watch(0..sheet.len() as u32) {
+        let facet = facet?;
+        let flips = agree[components.root(facet) as usize] < 0;
+        turned.push(layer.front[facet as usize] == flips);
+    }
+    Ok(turned)
 }

@@ -1,6 +1,6 @@
 //! Umbrellas: samples round which the surface is a disk, and the two sides of it there.
 
-use super::sheet::{Sheet, back};
+use super::sheet::Sheet;
 use crate::error::Result;
 use crate::index::NONE;
 use crate::job::{Room, Run};
@@ -182,13 +182,5 @@ impl Star {
             self.sides[place] = 1;
             self.stack.push(cell);
         }
-    }
-}
-
-/// The facet of the cell in front of facet `i` of a cell, that is the same facet.
-pub(super) fn other_side(t: &Triangulation, cell: u32, i: usize) -> Option<(u32, usize)> {
-    match t.neighbors()[cell as usize][i] {
-        NONE => None,
-        neighbor => Some((neighbor, back(t, cell, neighbor))),
     }
 }

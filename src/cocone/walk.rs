@@ -8,6 +8,7 @@ use crate::job::{Room, Run};
 use crate::predicates::{Sign, orient3d};
 use crate::triangulation::Triangulation;
 use crate::vector::{dot, sub};
+use std::collections::VecDeque;
 
 /// What the walk has seen of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,17 +26,26 @@ pub(super) enum Side {
 /// Across an edge the walk goes on to the next triangle on its side, and it ends at an edge with one triangle (Amenta, Choi, Dey, Leekha 2002, section 4; Dey, Giesen 2001). A
 /// component is what hangs together through edges. The walk begins with the least triangle and side that
 /// has before it the most cells, among regions of space that the triangles divide; triangles of which no vertex was reached begin another one.
+///
+/// The papers walk on surfaces without boundary. To stay on one side of others, the walk turns round no edge by more than 3 pi / 2, takes triangles breadth
+/// first, those with flat vertices only before all others, and if `strict` takes none that would be the third at an edge, or disagree there on which side is
+/// outside: so what it takes is oriented, and no edge has more than two triangles.
 pub(super) fn walk(
     t: &Triangulation,
     sheet: &Sheet,
+    is_flat: &[bool],
+    strict: bool,
     room: &mut Room<'_>,
     run: &Run<'_>,
 ) -> Result<Vec<Side>> {
     let mut seen = room.filled(sheet.len(), Side::Unseen)?;
     let mut touched = room.filled(t.coords().len(), false)?;
+    // A bit for each way in which a triangle runs the edge.
+    let mut runs = room.filled(sheet.edge_count(), 0u8)?;
     let orders = Orders::new(t, sheet, room, run)?;
     let starts = starts(t, sheet, room, run)?;
-    let mut stack = Vec::new();
+    room.keep(32 * sheet.len())?;
+    let mut queues: [VecDeque<(u32, Side)>; 2] = Default::default();
     let mut done = 0;
     // First where most cells are, then what is left.
     for &(facet, side) in &starts {
@@ -43,29 +53,47 @@ pub(super) fn walk(
         if seen[facet as usize] != Side::Unseen || corners.iter().any(|&v| touched[v as usize]) {
             continue;
         }
-        seen[facet as usize] = side;
-        room.push(&mut stack, facet)?;
-        while let Some(facet) = stack.pop() {
+        queues[0].push_back((facet, side));
+        loop {
+            let [first, second] = &mut queues;
+            let Some((facet, own)) = first.pop_front().or_else(|| second.pop_front()) else {
+                break;
+            };
             done += 1;
             if done % 4096 == 0 {
                 run.poll()?;
+            }
+            let ways = [0, 1, 2].map(|side| way(sheet, facet, side, own));
+            let edges = sheet.edge_of_side[facet as usize].map(|edge| edge as usize);
+            let is_taken = edges.iter().zip(ways).any(|(&edge, way)| runs[edge] & way != 0);
+            if seen[facet as usize] != Side::Unseen || (strict && is_taken) {
+                continue;
+            }
+            seen[facet as usize] = own;
+            for (&edge, way) in edges.iter().zip(ways) {
+                runs[edge] |= way;
             }
             for &corner in &sheet.corners[facet as usize] {
                 touched[corner as usize] = true;
             }
             for side in 0..3 {
-                let (next, seen_side) = orders.next(sheet, facet, side, seen[facet as usize]);
+                let (next, side_of_next) = orders.next(sheet, facet, side, own);
                 if next != facet
                     && seen[next as usize] == Side::Unseen
-                    && !is_fold(t, sheet, facet, side, seen[facet as usize], next)
+                    && !is_fold(t, sheet, facet, side, own, next)
                 {
-                    seen[next as usize] = seen_side;
-                    room.push(&mut stack, next)?;
+                    let is_flat = sheet.corners[next as usize].iter().all(|&v| is_flat[v as usize]);
+                    queues[usize::from(!is_flat)].push_back((next, side_of_next));
                 }
             }
         }
     }
     Ok(seen)
+}
+
+/// The bit of the way in which a triangle runs its side, oriented towards the side of it that was seen.
+fn way(sheet: &Sheet, facet: u32, side: u32, seen: Side) -> u8 {
+    1 << u8::from(runs_up(sheet, 4 * facet + side) == (seen == Side::Front))
 }
 
 /// Whether the walk would turn by more than 3 pi / 2 round a side of a triangle to come to the next one: from one layer to
