@@ -172,7 +172,7 @@ fn decide(
         let weight = relations.iter().map(|&(_, agree)| agree).sum();
         let pair = relations[0].0;
         room.push(&mut links, (pair, weight))?;
-        room.push(&mut links, (pair << 32 | pair >> 32, weight))?;
+        room.push(&mut links, (pair.rotate_right(32), weight))?;
     }
     sort_by_key(&mut links, |&(pair, _)| pair, run)?;
     let largest = largest_cells(dual, umbrellas, side_of, count, room, run)?;

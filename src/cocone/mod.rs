@@ -12,6 +12,7 @@ mod prune;
 mod sheet;
 mod surface;
 mod umbrella;
+mod validate;
 mod walk;
 
 use crate::complex::{Complex, DisjointSets};
@@ -76,6 +77,10 @@ pub struct Cocone {
     is_inner: Vec<bool>,
     used: usize,
     marked: usize,
+    /// The triangles of the umbrellas, as cells and facets, ascending; not only those of the open surface.
+    layer: Vec<[u32; 2]>,
+    /// The side of each sample's umbrella that is outside, 1 or 2; 0 where there is none.
+    outer_side: Vec<u8>,
     open_surface: Arc<Complex>,
     surface: Arc<Complex>,
 }
@@ -114,7 +119,8 @@ impl Cocone {
         drop(cones);
         let walls = sheet.walls(t, &mut room, run)?;
         let umbrellas = Umbrellas::new(t, &sheet, &walls, &incidence, &mut room, run)?;
-        let Marks { of_cells: marks, .. } = mark::mark(dual, &sheet, &umbrellas, &mut room, run)?;
+        let Marks { outer_side, of_cells: marks } =
+            mark::mark(dual, &sheet, &umbrellas, &mut room, run)?;
         let is_inner = peel::peel(t, &walls, &marks, &mut room, run)?;
         run.enter(Stage::Extract)?;
         let boundary = surface::boundary(t, &is_inner, &mut room, run)?;
@@ -136,6 +142,8 @@ impl Cocone {
             is_well_sampled: umbrellas.is_good,
             used: surface.vertices().len(),
             marked: marks.iter().filter(|&&mark| mark != mark::Mark::None).count(),
+            layer: sheet.facets,
+            outer_side,
             is_inner,
             open_surface: Arc::new(open_surface),
             surface: Arc::new(surface),
@@ -191,6 +199,11 @@ impl Cocone {
     /// The number of samples that are vertices of the surface.
     pub fn used(&self) -> usize {
         self.used
+    }
+
+    /// The share of the samples that are vertices of the surface, in [0, 1].
+    pub fn used_share(&self) -> f64 {
+        self.used as f64 / self.is_undersampled.len() as f64
     }
 
     /// The number of cells that well sampled vertices mark as inner or outer; the others are peeled off or left.
