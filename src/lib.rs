@@ -14,6 +14,7 @@
 //! The C ABI in [`capi`] translates and does nothing else; see `include/medax.h`.
 
 pub mod capi;
+pub mod cocone;
 pub mod complex;
 pub mod crust;
 pub mod dual;
@@ -32,6 +33,7 @@ pub mod triangulation;
 mod validation;
 mod vector;
 
+pub use cocone::Cocone;
 pub use complex::Complex;
 pub use crust::PowerCrust;
 pub use dual::Dual;

@@ -3,6 +3,7 @@
 //! Inner axes, and whatever else asks on which side of the surface a part of the Voronoi diagram is, take these labels, wherever
 //! they come from. See `docs/algorithms/labels.md`.
 
+mod cocone;
 mod crust;
 mod mesh;
 

@@ -15,6 +15,7 @@ mod validate;
 pub(crate) use feature_size::distances;
 pub(crate) use merge::least_cells;
 pub use omit::{Omit, PolesOptions};
+pub(crate) use select::{FirstPoles, Selection, is_opposite, seen_from};
 
 use crate::complex::{Hierarchy, Rows};
 use crate::dual::{Dual, DualOptions, LANES, offsets, unit};
@@ -23,8 +24,6 @@ use crate::index::NONE;
 use crate::job::{Job, PART, Room, Run, Stage, parts};
 use crate::points::{Bounds, COORDINATE_MIN, FAR_BOX_LEN, Points, order};
 use crate::triangulation::Triangulation;
-use select::Selection;
-pub(crate) use select::{FirstPoles, is_opposite};
 use std::sync::{Arc, OnceLock};
 
 /// The largest coordinate of a pole in absolute value, 2^400; what lies farther is moved there.
@@ -113,21 +112,12 @@ impl Poles {
     /// [`Poles::new`] as a stage of a larger build.
     pub(crate) fn new_in(dual: &Dual, options: PolesOptions, run: &Run<'_>) -> Result<Self> {
         run.enter(Stage::Poles)?;
+        check_unweighted(dual)?;
         let t = dual.triangulation();
-        if t.is_weighted() {
-            return Err(Error::new(
-                Status::InvalidArgument,
-                "poles need the dual of a Delaunay triangulation, not of a regular one",
-            ));
-        }
         let samples = sample_count(t.points());
         let mut room = Room::new(run);
         let least_cell = merge::least_cells(dual, &mut room, run)?;
-        let mut selection = Selection::new(dual, samples, &mut room, run)?;
-        let chunks = parts(samples).into_iter().zip(selection.normals.chunks_mut(PART)).collect();
-        run.in_steps(chunks, [0.6, 0.7], |(range, normals)| {
-            directions(t, &selection.first[range.clone()], range.start, normals, run)
-        })?;
+        let mut selection = select_in(dual, &mut room, run)?;
         let lambda = omit::omit(dual, &mut selection, options, &mut room, run)?;
         let Selection { first, second, normals } = selection;
         let mut numbers = room.filled(t.cells().len(), NONE)?;
@@ -251,6 +241,32 @@ impl Poles {
     pub fn normals(&self) -> &[[f64; 3]] {
         &self.normals
     }
+}
+
+/// The error of a power diagram, which has no poles.
+fn check_unweighted(dual: &Dual) -> Result<()> {
+    match dual.triangulation().is_weighted() {
+        true => Err(Error::new(
+            Status::InvalidArgument,
+            "poles need the dual of a Delaunay triangulation, not of a regular one",
+        )),
+        false => Ok(()),
+    }
+}
+
+/// The cells of each sample's poles, and the unit direction to its first one, as a part of a larger build.
+///
+/// Errors: [`Status::InvalidArgument`] for a power diagram, and those of the job.
+pub(crate) fn select_in(dual: &Dual, room: &mut Room<'_>, run: &Run<'_>) -> Result<Selection> {
+    check_unweighted(dual)?;
+    let t = dual.triangulation();
+    let samples = sample_count(t.points());
+    let mut selection = Selection::new(dual, samples, room, run)?;
+    let chunks = parts(samples).into_iter().zip(selection.normals.chunks_mut(PART)).collect();
+    run.in_steps(chunks, [0.6, 0.7], |(range, normals)| {
+        directions(t, &selection.first[range.clone()], range.start, normals, run)
+    })?;
+    Ok(selection)
 }
 
 /// The centre of a cell, as far as that is within the range of exact predicates.

@@ -14,13 +14,13 @@ use std::cmp::Ordering;
 const UNIT: f64 = f64::EPSILON / 2.0;
 
 /// The cells whose centres are the poles.
-pub(super) struct Selection {
+pub(crate) struct Selection {
     /// The cell of each sample's first pole; [`NONE`] where it is at infinity.
-    pub(super) first: Vec<u32>,
+    pub(crate) first: Vec<u32>,
     /// The cell of each sample's second pole, or [`NONE`].
-    pub(super) second: Vec<u32>,
-    /// The unit direction of each first pole at infinity; 0 for other samples.
-    pub(super) normals: Vec<[f64; 3]>,
+    pub(crate) second: Vec<u32>,
+    /// The unit direction of each first pole at infinity; 0 for other samples, until [`select_in`](super::select_in) has filled it in.
+    pub(crate) normals: Vec<[f64; 3]>,
 }
 
 /// The first poles of all samples, without numbers and second ones.
@@ -223,7 +223,7 @@ fn difference(center: [f64; 3], sample: [f64; 3]) -> ([f64; 3], [f64; 3]) {
 }
 
 /// The points of a cell, the given vertex of it first.
-pub(super) fn seen_from(t: &Triangulation, vertex: u32, cell: u32) -> [[f64; 3]; 4] {
+pub(crate) fn seen_from(t: &Triangulation, vertex: u32, cell: u32) -> [[f64; 3]; 4] {
     let mut corners = t.cells()[cell as usize];
     let slot = corners.iter().position(|&v| v == vertex).unwrap_or(0);
     corners.swap(0, slot);

@@ -1,6 +1,7 @@
 //! The library's structures, from points to power crusts, over sets that break such programs.
 
 mod authors_failures;
+mod cocone;
 mod crust;
 mod dual;
 mod generated;

@@ -2,7 +2,7 @@
 
 use crate::report::Report;
 use crate::session::{Failure, Session};
-use medax::{Dual, Labels, PowerCrust};
+use medax::{Cocone, Dual, Labels, PowerCrust};
 use serde_json::{Map, json};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -11,7 +11,7 @@ use std::sync::Arc;
 #[derive(clap::Args)]
 pub struct LabelArguments {
     /// What tells inside from outside: the watertight surface of Tight Cocone, or the power crust
-    #[arg(long, value_enum, value_name = "SOURCE", default_value_t = Source::Crust, conflicts_with = "label_mesh")]
+    #[arg(long, value_enum, value_name = "SOURCE", default_value_t = Source::Cocone, conflicts_with = "label_mesh")]
     labels: Source,
     /// Let this mesh tell instead, which may be the input itself; its faces must point out of the solid
     #[arg(long, value_name = "MESH")]
@@ -23,20 +23,26 @@ pub struct LabelArguments {
 
 #[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 enum Source {
+    Cocone,
     Crust,
 }
 
 impl Source {
-    const ALL: [Source; 1] = [Source::Crust];
+    const ALL: [Source; 2] = [Source::Cocone, Source::Crust];
 
     fn name(self) -> &'static str {
         match self {
+            Source::Cocone => "cocone",
             Source::Crust => "crust",
         }
     }
 
     fn labels(self, dual: &Arc<Dual>, session: &mut Session) -> Result<Labels, Failure> {
         match self {
+            Source::Cocone => {
+                let cocone = Cocone::new(dual, Default::default(), &session.job)?;
+                Ok(Labels::of_cocone(&cocone, &session.job)?)
+            }
             Source::Crust => {
                 let points = dual.triangulation().points();
                 let crust = PowerCrust::build(points, Default::default(), &session.job)?;

@@ -3,6 +3,7 @@
 //! A command reads its input, calls the library, writes its outputs and fills in a [`Report`];
 //! what to print, and the exit code, is decided here and in `report.rs`.
 
+mod cocone;
 mod compare;
 mod crust;
 mod decimate;
@@ -41,6 +42,7 @@ enum Command {
     Triangulate(triangulate::Options),
     Poles(poles::Options),
     Crust(Box<crust::Options>),
+    Cocone(cocone::Options),
     Medial(Box<medial::Options>),
     Info(info::Options),
     Compare(compare::Options),
@@ -55,6 +57,7 @@ impl Command {
             Command::Triangulate(options) => triangulate::run(options, session),
             Command::Poles(options) => poles::run(options, session),
             Command::Crust(options) => crust::run(options, session),
+            Command::Cocone(options) => cocone::run(options, session),
             Command::Medial(options) => medial::run(options, session),
             Command::Info(options) => info::run(options, session),
             Command::Compare(options) => compare::run(options, session),
