@@ -301,10 +301,12 @@ static void by_hand(const torus *made) {
     for (uint32_t rule = 0; rule < 4; ++rule) {
         size_t count = 0, next = 0;
         filter.rule = rule;
+        filter.rho = rule == 0 ? 8 : 4;
         uint32_t *found = selected(medial, rule == 0 ? NULL : &filter, &count);
         for (size_t f = 0; f < sines.rows; ++f) {
             const double *s = sines.data + 2 * f, *r = ratios.data + 2 * f;
-            const int angle = fmax(s[0], s[1]) > sin(filter.theta), ratio = fmax(r[0], r[1]) > 8;
+            const int angle = fmax(s[0], s[1]) > sin(filter.theta);
+            const int ratio = fmax(r[0], r[1]) > filter.rho;
             const int passes = rule == MEDAX_MEDIAL_RULE_ANGLE_OR_RATIO ? angle || ratio
                                : rule == MEDAX_MEDIAL_RULE_ANGLE        ? angle
                                : rule == MEDAX_MEDIAL_RULE_RATIO        ? ratio
@@ -320,7 +322,8 @@ static void by_hand(const torus *made) {
     }
     filter.side = MEDAX_SIDE_BOTH;
     CHECK(count_of(medial, &filter) == sines.rows);
-    filter.rule = MEDAX_MEDIAL_RULE_ANGLE_OR_RATIO;
+    filter = defaults();
+    filter.side = MEDAX_SIDE_BOTH;
     const size_t both = count_of(medial, &filter);
     filter.side = MEDAX_SIDE_OUTER;
     const size_t outer = count_of(medial, &filter);
@@ -436,6 +439,31 @@ static void an_axis(const torus *made) {
     medax_complex_free(axis);
 }
 
+/* A box that holds all of an axis leaves it as it is; what is no box is refused. */
+static void a_box(const torus *made) {
+    const medax_medial *medial = built(made, NULL);
+    const medax_complex *whole = NULL, *clipped = NULL;
+    medax_medial_filter filter = defaults();
+    filter.has_clip = 1;
+    for (size_t k = 0; k < 3; ++k) {
+        filter.clip_min[k] = -9;
+        filter.clip_max[k] = 9;
+    }
+    CHECK_STATUS(OK, medax_medial_axis(medial, NULL, NULL, &whole));
+    CHECK_STATUS(OK, medax_medial_axis(medial, &filter, NULL, &clipped));
+    CHECK(medax_complex_faces(clipped).rows == medax_complex_faces(whole).rows);
+    CHECK(medax_complex_vertices(clipped).rows == medax_complex_vertices(whole).rows);
+    medax_complex_free(clipped);
+    clipped = NO_COMPLEX;
+    filter.clip_min[1] = 10;
+    CHECK_STATUS(INVALID_ARGUMENT, medax_medial_axis(medial, &filter, NULL, &clipped));
+    filter.clip_min[1] = -HUGE_VAL;
+    CHECK_STATUS(INVALID_ARGUMENT, medax_medial_axis(medial, &filter, NULL, &clipped));
+    CHECK(clipped == NO_COMPLEX);
+    medax_complex_free(whole);
+    medax_medial_free(medial);
+}
+
 static void scales(const torus *made) {
     medax_medial_options options;
     medax_medial_filter filter = defaults();
@@ -447,7 +475,7 @@ static void scales(const torus *made) {
     NEED(values.rows == medax_triangulation_cells(made->t).rows && values.cols == 1);
     size_t largest = 0;
     for (size_t c = 0; c < values.rows; ++c) {
-        /* Two balls of which one has samples on it and the other none inside: neither covers the other as they are. */
+        /* No ball covers another as they are: none has a sample inside, and each has some on it. */
         CHECK(values.data[c] > 0.999);
         largest += values.data[c] == HUGE_VAL;
     }
@@ -524,6 +552,7 @@ int main(void) {
     by_hand(&made);
     a_slider(&made);
     an_axis(&made);
+    a_box(&made);
     scales(&made);
     normals(&made);
     lifetimes(made);
