@@ -315,6 +315,16 @@ typedef struct medax_intersections medax_intersections;
 typedef struct medax_job medax_job;
 
 /**
+ * For each cell of a Delaunay triangulation whether it lies in the solid.
+ */
+typedef struct medax_labels medax_labels;
+
+/**
+ * Every Voronoi facet of a sample with what decides whether it belongs to the medial axis.
+ */
+typedef struct medax_medial medax_medial;
+
+/**
  * Distinct points in spatial order, with maps from and to the input's rows.
  */
 typedef struct medax_points medax_points;
@@ -2483,7 +2493,554 @@ medax_status medax_power_crust_with_sizes(const medax_power_crust *crust,
                                           const medax_job *job,
                                           const medax_complex **out_complex);
 
-/* ---- 16. Complex ------------------------------------------------------------------------------
+/* ---- 16. Labels of cells ----------------------------------------------------------------------
+ *
+ * For each cell of a Delaunay triangulation of samples whether it lies in the solid: whether its barycentre does. Inner axes take
+ * these labels, wherever they come from.
+ */
+
+/**
+ * Labels that the caller has found.
+ *
+ * \param triangulation The triangulation, which the labels keep alive.
+ * \param is_inner `count` flags, in the order of #medax_triangulation_cells: 1 for a cell in the solid, 0 for one outside. Copied.
+ * \param count The number of flags, which is that of the cells.
+ * \param out_labels Receives the labels, which the caller frees with #medax_labels_free.
+ * \return `MEDAX_STATUS_OK`; `MISMATCH` unless there is one flag per cell; `INVALID_ARGUMENT` with the cell of a flag that is
+ *         neither; `NULL_ARGUMENT`.
+ *
+ * O(m) for m cells. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_labels_new(const medax_triangulation *triangulation,
+                              const uint8_t *is_inner,
+                              size_t count,
+                              const medax_labels **out_labels);
+
+/**
+ * Labels from a power crust of the same samples: a cell is inner where its barycentre lies in the power cell of an inner pole, in the
+ * solid that the power crust bounds.
+ *
+ * \param triangulation The Delaunay triangulation of the samples, which the labels keep alive.
+ * \param crust The power crust.
+ * \param job NULL for a default job.
+ * \param out_labels Receives the labels, which the caller frees with #medax_labels_free.
+ * \return `MEDAX_STATUS_OK`; `MISMATCH` for a power crust of other samples; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`,
+ *         `OUT_OF_MEMORY`.
+ *
+ * About O(m) for m cells. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_labels_of_crust(const medax_triangulation *triangulation,
+                                   const medax_power_crust *crust,
+                                   const medax_job *job,
+                                   const medax_labels **out_labels);
+
+/**
+ * Labels from a mesh of the solid: a cell is inner where the faces wind round its barycentre more than half a time, by
+ * #medax_complex_winding_numbers.
+ *
+ * Faces must point out of the solid, and those of voids into them; small holes are bridged. The samples need not be the mesh's
+ * vertices.
+ *
+ * \param triangulation The triangulation, which the labels keep alive.
+ * \param mesh The mesh, as a complex with faces.
+ * \param job NULL for a default job.
+ * \param out_labels Receives the labels, which the caller frees with #medax_labels_free.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for a mesh without faces; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`,
+ *         `OUT_OF_MEMORY`.
+ *
+ * O((n + m) log n) for n triangles and m cells. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_labels_of_mesh(const medax_triangulation *triangulation,
+                                  const medax_complex *mesh,
+                                  const medax_job *job,
+                                  const medax_labels **out_labels);
+
+/**
+ * The triangulation whose cells have the labels.
+ *
+ * \param labels The labels.
+ * \param out_triangulation Receives the triangulation, which the caller frees with
+ *        #medax_triangulation_free.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_labels_triangulation(const medax_labels *labels,
+                                        const medax_triangulation **out_triangulation);
+
+/**
+ * Whether each cell lies in the solid.
+ *
+ * \param labels The labels, or NULL.
+ * \return m x 1 flags, 0 or 1, in the order of #medax_triangulation_cells. Borrowed from `labels`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u8 medax_labels_is_inner(const medax_labels *labels);
+
+/**
+ * The number of cells in the solid.
+ *
+ * \param labels The labels; NULL has none.
+ * \return The number of inner cells.
+ *
+ * O(m). Since 0.1.
+ */
+MEDAX_API size_t medax_labels_inner_count(const medax_labels *labels);
+
+/**
+ * In how many cells two labellings of one triangulation differ.
+ *
+ * \param a The one.
+ * \param b The other one, which may be the same; its triangulation must be the same as that of `a`, or equal to it.
+ * \param out_count Receives the number of cells.
+ * \return `MEDAX_STATUS_OK`; `MISMATCH` for labels of another triangulation; `NULL_ARGUMENT`.
+ *
+ * O(m). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_labels_disagreement(const medax_labels *a,
+                                       const medax_labels *b,
+                                       size_t *out_count);
+
+/**
+ * One more reference to labels.
+ *
+ * \param labels The labels, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_labels *medax_labels_clone(const medax_labels *labels);
+
+/**
+ * Gives one reference to labels back; the last one frees them.
+ *
+ * \param labels The labels; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_labels_free(const medax_labels *labels);
+
+/* ---- 17. Medial axis --------------------------------------------------------------------------
+ *
+ * The medial axis straight from the Voronoi diagram of a sample: a Voronoi facet belongs to it if its dual Delaunay edge makes a
+ * large angle with the surface at one of its ends, or is long beside the triangles of the surface there. These triangles are a
+ * sample's umbrella: those at the sample whose dual Voronoi edges the tangent plane cuts. A #medax_medial has for every facet what
+ * decides; a filter is a threshold on that, and to move it builds nothing again.
+ * (Dey, Zhao 2004, Approximating the medial axis from the Voronoi diagram with a convergence guarantee.)
+ */
+
+/**
+ * Which of the two conditions of the paper decide whether a facet belongs to the axis.
+ */
+enum medax_medial_rule
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Either is enough: the paper's algorithm.
+     */
+    MEDAX_MEDIAL_RULE_ANGLE_OR_RATIO = 0,
+    /**
+     * The angle condition alone.
+     */
+    MEDAX_MEDIAL_RULE_ANGLE = 1,
+    /**
+     * The ratio condition alone.
+     */
+    MEDAX_MEDIAL_RULE_RATIO = 2,
+    /**
+     * Neither: all facets, those of the surface as well, for the other thresholds to choose from.
+     */
+    MEDAX_MEDIAL_RULE_EVERY = 3,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum medax_medial_rule medax_medial_rule;
+#else
+typedef uint32_t medax_medial_rule;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * The side of the surface on which an axis lies. The first two are those of #medax_label.
+ */
+enum medax_side
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Facets of which every cell round the dual edge is outer.
+     */
+    MEDAX_SIDE_OUTER = 0,
+    /**
+     * Facets of which every cell round the dual edge is inner.
+     */
+    MEDAX_SIDE_INNER = 1,
+    /**
+     * All facets, those that cross the surface as well. The only one that needs no labels.
+     */
+    MEDAX_SIDE_BOTH = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum medax_side medax_side;
+#else
+typedef uint32_t medax_side;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * What is calculated.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * `normal_count` x 3 coordinates: the normals of the surface at the samples, in the order of the points' vertices, in place of
+     * the vectors to their poles. Their lengths do not count, nor which way they point; a vertex whose normal is 0 has no
+     * umbrella. Copied. NULL, the default: the poles.
+     */
+    const double *normals;
+    /**
+     * The number of normals, which is that of the vertices; 0 without.
+     */
+    size_t normal_count;
+    /**
+     * 1 to calculate the pairwise scales too, which filters by scale need, and which cost about as much as all the rest; 0, the
+     * default, not to.
+     */
+    uint32_t scales;
+    /**
+     * Must be 0.
+     */
+    uint32_t reserved;
+} medax_medial_options;
+
+/**
+ * Thresholds on the facets of a #medax_medial: a facet must pass all of them.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * The threshold of the angle condition, in radians in [0, pi/2); pi/8 by default, the paper's.
+     */
+    double theta;
+    /**
+     * The threshold of the ratio condition, not negative; 8 by default, the paper's.
+     */
+    double rho;
+    /**
+     * The least object angle, in radians in [0, pi]: some point of the facet must have as much; 0 by default.
+     */
+    double object_angle;
+    /**
+     * The least lambda, in input units: half the length of the dual edge, the radius of the smallest ball round the nearest
+     * samples of a point within the facet (Chazal, Lieutier 2005, The lambda-medial axis); 0 by default.
+     */
+    double lambda;
+    /**
+     * The least pairwise scale: the ball of some corner of the facet must have more; 0, the default, asks for nothing, and
+     * anything else for #medax_medial_scales.
+     */
+    double scale;
+    /**
+     * The least corner of a box to which the axis is clipped, if `has_clip` is 1, so that it keeps its unbounded facets.
+     */
+    double clip_min[3];
+    /**
+     * The largest corner of that box.
+     */
+    double clip_max[3];
+    /**
+     * 1 to clip the axis; 0, the default, not to: unbounded facets are then left out.
+     */
+    uint32_t has_clip;
+    /**
+     * A #medax_medial_rule: which conditions decide; `MEDAX_MEDIAL_RULE_ANGLE_OR_RATIO` by default.
+     */
+    uint32_t rule;
+    /**
+     * A #medax_side; `MEDAX_SIDE_INNER` by default.
+     */
+    uint32_t side;
+    /**
+     * Must be 0.
+     */
+    uint32_t reserved;
+} medax_medial_filter;
+
+/**
+ * Sets medial options to their defaults.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_status medax_medial_options_init(medax_medial_options *options, size_t struct_size);
+
+/**
+ * Sets a filter to its defaults: those of the paper, for the inner axis.
+ *
+ * \param filter The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *filter`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_status medax_medial_filter_init(medax_medial_filter *filter, size_t struct_size);
+
+/**
+ * Calculates umbrellas, conditions and attributes of all Voronoi facets of a sample.
+ *
+ * \param dual The dual of the Delaunay triangulation, with its facets (#medax_dual_options), which the result keeps alive.
+ * \param labels Labels of the triangulation's cells, with which the inner and the outer axis can be told apart; NULL for none. The
+ *        result keeps them alive.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_medial Receives the result, which the caller frees with #medax_medial_free.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for the dual of a regular triangulation, a dual without facets and, with the
+ *         vertex, a normal that is not finite; `MISMATCH` for labels of another triangulation, and unless there is one normal per
+ *         vertex; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(size of the dual); scales cost a search for each cell. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_medial_build(const medax_dual *dual,
+                                const medax_labels *labels,
+                                const medax_medial_options *options,
+                                const medax_job *job,
+                                const medax_medial **out_medial);
+
+/**
+ * The axis: the Voronoi facets that a filter lets pass, with their edges and vertices, as convex polygons.
+ *
+ * Vertices are Voronoi vertices, one for all cells that share a sphere, and carry `cell`, the least of these, `radius`, that of
+ * the ball round them through their samples, and `scale` if scales were calculated. Faces are in the order of #medax_dual_facets
+ * and turn counterclockwise as seen from the second sample; they carry `facet`, `samples` (the two ends of the dual edge),
+ * `condition` (1 the angle condition, 2 the ratio condition, 3 both, 0 neither), `object_angle` (the least and the largest on the
+ * face, in radians), `lambda` (half the length of the dual edge) and `side` (a #medax_side; `MEDAX_SIDE_BOTH` for one that crosses
+ * the surface, or where there are no labels). Facets that have no area, since their cells share spheres, are no faces.
+ *
+ * \param medial The facets with what decides.
+ * \param filter NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for thresholds out of range, an inner or an outer side without labels, a scale
+ *         where scales were not calculated; `NULL_ARGUMENT`, `LIMIT_EXCEEDED`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(f) for f facets, and O(size) of what passes. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_medial_axis(const medax_medial *medial,
+                               const medax_medial_filter *filter,
+                               const medax_job *job,
+                               const medax_complex **out_complex);
+
+/**
+ * The facets that a filter lets pass, unbounded ones and those without area as well.
+ *
+ * \param medial The facets with what decides.
+ * \param filter NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param capacity The number of facets for which `out_facets` has room; that of #medax_dual_facets is always enough.
+ * \param out_facets Receives the first `capacity` of the facets, which ascend; the caller's buffer, NULL only if `capacity` is 0.
+ * \param out_count Receives the number of facets that pass, which may be more than `capacity`.
+ * \return As #medax_medial_axis.
+ *
+ * O(f) for f facets. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_medial_selected(const medax_medial *medial,
+                                   const medax_medial_filter *filter,
+                                   const medax_job *job,
+                                   size_t capacity,
+                                   uint32_t *out_facets,
+                                   size_t *out_count);
+
+/**
+ * The Voronoi diagram.
+ *
+ * \param medial The facets with what decides.
+ * \param out_dual Receives the dual, which the caller frees with #medax_dual_free.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_status medax_medial_dual(const medax_medial *medial, const medax_dual **out_dual);
+
+/**
+ * The labels that tell the inner from the outer axis.
+ *
+ * \param medial The facets with what decides.
+ * \param out_labels Receives the labels, which the caller frees with #medax_labels_free; NULL if none were given.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_medial_labels(const medax_medial *medial,
+                                 const medax_labels **out_labels);
+
+/**
+ * What the angle condition asks of each facet, by the two ends of its dual edge: the sine of the least angle between the edge and
+ * the planes of the end's umbrella triangles. The condition holds where one of the two exceeds the sine of theta.
+ *
+ * \param medial The facets with what decides, or NULL.
+ * \return f x 2, in the order of #medax_dual_facet_edges, in [0, 1]; minus infinity where the umbrella has the edge, or has no
+ *         triangle. Borrowed from `medial`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_f64 medax_medial_sines(const medax_medial *medial);
+
+/**
+ * What the ratio condition asks of each facet, by the two ends of its dual edge: the length of the edge by the largest
+ * circumradius of the end's umbrella triangles. The condition holds where one of the two exceeds rho.
+ *
+ * \param medial The facets with what decides, or NULL.
+ * \return f x 2, in the order of #medax_dual_facet_edges, not negative; minus infinity where the umbrella has the edge, or has no
+ *         triangle. Borrowed from `medial`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_f64 medax_medial_ratios(const medax_medial *medial);
+
+/**
+ * The least and the largest distance of each facet's points from the middle of its dual edge. The object angle at a point is twice
+ * the arc tangent of half the edge's length by that distance.
+ *
+ * \param medial The facets with what decides, or NULL.
+ * \return f x 2, in the order of #medax_dual_facet_edges, in input units; the largest is infinite where the facet is unbounded.
+ *         Borrowed from `medial`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_f64 medax_medial_reaches(const medax_medial *medial);
+
+/**
+ * For each cell the least with the same circumscribed sphere: the same Voronoi vertex.
+ *
+ * \param medial The facets with what decides, or NULL.
+ * \return m x 1 cells. Borrowed from `medial`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_medial_least_cell(const medax_medial *medial);
+
+/**
+ * The pairwise scale of each cell's ball: the least factor at which another ball of the same label, its radius grown by it, covers
+ * this one, grown as well; |c - c'| / (r' - r), the least over all larger balls.
+ *
+ * It stands for the scale axis transform (Giesen, Miklos, Pauly, Wormser 2009), where grown balls are covered by many together.
+ *
+ * \param medial The facets with what decides, or NULL.
+ * \return m x 1; infinite for the largest balls. No row unless the options asked for scales. Borrowed from `medial`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_f64 medax_medial_scales(const medax_medial *medial);
+
+/**
+ * Where the triangles of each sample's umbrella begin in #medax_medial_umbrella_rims.
+ *
+ * \param medial The facets with what decides, or NULL.
+ * \return n + 1 x 1: those of vertex v are the rows from entry v to before entry v + 1. Borrowed from `medial`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_u32 medax_medial_umbrella_offsets(const medax_medial *medial);
+
+/**
+ * The triangles of all umbrellas, one sample's after the other's.
+ *
+ * \param medial The facets with what decides, or NULL.
+ * \return t x 2: the two other vertices of each triangle, which turns counterclockwise seen from the pole, or from where the given
+ *         normal points. Where the umbrella is a disk they go round the sample, the least one first; otherwise they ascend.
+ *         Borrowed from `medial`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_u32 medax_medial_umbrella_rims(const medax_medial *medial);
+
+/**
+ * Whether each sample's umbrella is a disk: its triangles make one ring round the sample. It may not be where the sample is on the hull.
+ *
+ * \param medial The facets with what decides, or NULL.
+ * \return n x 1 flags, 0 or 1. Borrowed from `medial`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_u8 medax_medial_umbrella_is_disk(const medax_medial *medial);
+
+/**
+ * The number of samples whose umbrella is no disk.
+ *
+ * \param medial The facets with what decides; NULL has none.
+ * \return The number of samples.
+ *
+ * O(n). Since 0.1.
+ */
+MEDAX_API size_t medax_medial_torn_count(const medax_medial *medial);
+
+/**
+ * Checks umbrellas and conditions by other means than those that made them: round each Voronoi facet, whose polygon a tangent
+ * plane must cut twice or not at all, the triangles of the umbrellas are found again.
+ *
+ * \param medial The facets with what decides.
+ * \param job NULL for a default job.
+ * \param out_report Filled, its `struct_size` being set.
+ * \return `MEDAX_STATUS_OK` whatever was found; `NULL_ARGUMENT`, `INVALID_ARGUMENT` for a report
+ *         of no version, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(size of the dual). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_medial_validate(const medax_medial *medial,
+                                   const medax_job *job,
+                                   medax_validation *out_report);
+
+/**
+ * One more reference to facets with what decides.
+ *
+ * \param medial The facets, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_medial *medax_medial_clone(const medax_medial *medial);
+
+/**
+ * Gives one reference to facets with what decides back; the last one frees them.
+ *
+ * \param medial The facets; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_medial_free(const medax_medial *medial);
+
+/* ---- 18. Complex ------------------------------------------------------------------------------
  *
  * The one output type: vertices; faces, which are polygons; loose edges, which are no side of a
  * face; volume cells; named attributes on each of them; and the faces cut into triangles.
@@ -2760,7 +3317,7 @@ MEDAX_API const medax_complex *medax_complex_clone(const medax_complex *complex)
  */
 MEDAX_API void medax_complex_free(const medax_complex *complex);
 
-/* ---- 17. Topology -----------------------------------------------------------------------------
+/* ---- 19. Topology -----------------------------------------------------------------------------
  *
  * What a complex is as a set of elements that share others, told from its indices alone: vertices
  * that merely lie at the same place are different vertices. And what its coordinates make of that: measures, triangles that intersect.
@@ -2967,7 +3524,7 @@ medax_status medax_complex_validate(const medax_complex *complex,
                                     const medax_job *job,
                                     medax_validation *out_report);
 
-/* ---- 18. Winding numbers ----------------------------------------------------------------------
+/* ---- 20. Winding numbers ----------------------------------------------------------------------
  *
  * How often the faces of a complex wind round a point: 1 inside a closed surface whose faces point out, 0 outside of it.
  * (Jacobson, Kavan, Sorkine-Hornung 2013, Robust inside-outside segmentation using generalized winding numbers.)
@@ -2997,7 +3554,36 @@ medax_status medax_complex_winding_numbers(const medax_complex *complex,
                                            const medax_job *job,
                                            double *out_numbers);
 
-/* ---- 19. Comparison ---------------------------------------------------------------------------
+/* ---- 21. Normals ------------------------------------------------------------------------------
+ *
+ * The normals of a surface at its vertices.
+ */
+
+/**
+ * The normals of the surface at the vertices of a complex, those of its discrete mean curvature, turned as the faces turn: outward
+ * if the faces point out. (Meyer, Desbrun, Schroeder, Barr 2003, Discrete differential-geometry operators for triangulated
+ * 2-manifolds.)
+ *
+ * Where the surface is flat, so that it has no curvature, or the two differ by more than 60 degrees, the mean of the triangles'
+ * normals weighted by their angles.
+ *
+ * \param complex The complex.
+ * \param job NULL for a default job.
+ * \param vertex_count The number of vertices of the complex, for which `out_normals` has room.
+ * \param out_normals Receives `vertex_count` x 3 coordinates: vectors of length 1, and of length 0 for a vertex without faces; the
+ *        caller's buffer, NULL only if `vertex_count` is 0.
+ * \return `MEDAX_STATUS_OK`; `MISMATCH` unless `vertex_count` is the number of vertices; `NULL_ARGUMENT`, `INVALID_ARGUMENT`,
+ *         `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_complex_vertex_normals(const medax_complex *complex,
+                                          const medax_job *job,
+                                          size_t vertex_count,
+                                          double *out_normals);
+
+/* ---- 22. Comparison ---------------------------------------------------------------------------
  *
  * How far two complexes are apart as sets of points: their faces, loose edges and cells, which are
  * solid; or their vertices, where they have none of these.
@@ -3094,7 +3680,7 @@ medax_status medax_complex_compare(const medax_complex *a,
                                    const medax_job *job,
                                    medax_comparison *out_report);
 
-/* ---- 20. Decimation ---------------------------------------------------------------------------
+/* ---- 23. Decimation ---------------------------------------------------------------------------
  *
  * Fewer triangles for the same surface.
  */
@@ -3153,7 +3739,7 @@ medax_status medax_complex_decimate(const medax_complex *complex,
                                     const medax_job *job,
                                     const medax_complex **out_decimated);
 
-/* ---- 21. Flattening ---------------------------------------------------------------------------
+/* ---- 24. Flattening ---------------------------------------------------------------------------
  *
  * Power shapes have tetrahedra, most of them flat: these collapse to their triangles, and the homotopy type stays.
  */
@@ -3262,7 +3848,7 @@ MEDAX_API const medax_flattened *medax_flattened_clone(const medax_flattened *fl
  */
 MEDAX_API void medax_flattened_free(const medax_flattened *flattened);
 
-/* ---- 22. File contents ------------------------------------------------------------------------
+/* ---- 25. File contents ------------------------------------------------------------------------
  *
  * What a file holds, before points or a complex are made of it. Reading trusts nothing, and an error
  * names the line of a text or the byte of a binary file. The ending of a path names the format:
@@ -3438,7 +4024,7 @@ MEDAX_API const medax_file *medax_file_clone(const medax_file *file);
  */
 MEDAX_API void medax_file_free(const medax_file *file);
 
-/* ---- 23. Reading and writing ------------------------------------------------------------------
+/* ---- 26. Reading and writing ------------------------------------------------------------------
  *
  * Written are PLY, OFF, OBJ, STL, XYZ, PTS, TXT, CSV, MA and VTU, by the ending of the path, to a
  * file beside the given name, which is moved into place when it is complete: after an error, a file
@@ -3589,7 +4175,7 @@ MEDAX_API const medax_warnings *medax_warnings_clone(const medax_warnings *warni
  */
 MEDAX_API void medax_warnings_free(const medax_warnings *warnings);
 
-/* ---- 24. Samples ------------------------------------------------------------------------------
+/* ---- 27. Samples ------------------------------------------------------------------------------
  *
  * Points of the surfaces of built-in shapes and of meshes, evenly spread: no two are nearer than
  * the spacing. The same options give the same points on every machine.

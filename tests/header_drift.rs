@@ -7,7 +7,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// The chapters of the header in order: the files of `src/capi`.
-const CHAPTERS: [&str; 24] = [
+const CHAPTERS: [&str; 27] = [
     "status",
     "handle",
     "view",
@@ -23,9 +23,12 @@ const CHAPTERS: [&str; 24] = [
     "relabel",
     "variants",
     "sizes",
+    "labels",
+    "medial",
     "complex",
     "topology",
     "winding",
+    "normals",
     "compare",
     "decimate",
     "flatten",

@@ -21,4 +21,6 @@
 #include <medax/dual.hpp>
 #include <medax/poles.hpp>
 #include <medax/crust.hpp>
+#include <medax/labels.hpp>
+#include <medax/medial.hpp>
 #include <medax/sample.hpp>

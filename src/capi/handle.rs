@@ -72,6 +72,16 @@ pub struct medax_simplified {
     pub(super) simplified: crate::crust::Simplified,
 }
 
+/// For each cell of a Delaunay triangulation whether it lies in the solid.
+pub struct medax_labels {
+    pub(super) labels: Arc<crate::labels::Labels>,
+}
+
+/// Every Voronoi facet of a sample with what decides whether it belongs to the medial axis.
+pub struct medax_medial {
+    pub(super) medial: crate::medial::Medial,
+}
+
 /// Vertices, polygons, loose edges, volume cells and named attributes: every result that can be
 /// drawn or written.
 pub struct medax_complex {
@@ -108,6 +118,8 @@ impl Handle for medax_warnings {}
 impl Handle for medax_poles {}
 impl Handle for medax_power_crust {}
 impl Handle for medax_simplified {}
+impl Handle for medax_labels {}
+impl Handle for medax_medial {}
 impl Handle for medax_complex {}
 impl Handle for medax_intersections {}
 impl Handle for medax_flattened {}

@@ -118,6 +118,27 @@ FIELD(medax_dual_options, struct_size, 0);
 FIELD(medax_dual_options, facets, 8);
 FIELD(medax_dual_options, reserved, 12);
 
+SIZE(medax_medial_options, 32);
+FIELD(medax_medial_options, struct_size, 0);
+FIELD(medax_medial_options, normals, 8);
+FIELD(medax_medial_options, normal_count, 16);
+FIELD(medax_medial_options, scales, 24);
+FIELD(medax_medial_options, reserved, 28);
+
+SIZE(medax_medial_filter, 112);
+FIELD(medax_medial_filter, struct_size, 0);
+FIELD(medax_medial_filter, theta, 8);
+FIELD(medax_medial_filter, rho, 16);
+FIELD(medax_medial_filter, object_angle, 24);
+FIELD(medax_medial_filter, lambda, 32);
+FIELD(medax_medial_filter, scale, 40);
+FIELD(medax_medial_filter, clip_min, 48);
+FIELD(medax_medial_filter, clip_max, 72);
+FIELD(medax_medial_filter, has_clip, 96);
+FIELD(medax_medial_filter, rule, 100);
+FIELD(medax_medial_filter, side, 104);
+FIELD(medax_medial_filter, reserved, 108);
+
 SIZE(medax_topology, 144);
 FIELD(medax_topology, struct_size, 0);
 FIELD(medax_topology, vertices, 8);

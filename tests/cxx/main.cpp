@@ -304,6 +304,52 @@ void crusts() {
     CHECK(THROWN(medax::File::read(path)).status() == MEDAX_STATUS_IO);
 }
 
+void axes(const medax::Points &points, const medax::Dual &dual, const medax::Complex &surface) {
+    const medax::Triangulation t = dual.triangulation();
+    const medax::Labels labels = medax::Labels::of(t, medax::PowerCrust::of(points));
+    CHECK(labels.triangulation().cells().data() == t.cells().data());
+    CHECK(labels.inner_count() > 0 && labels.inner_count() < labels.is_inner().rows());
+    CHECK(labels.disagreement(medax::Labels::of(t, surface)) < t.cells().rows() / 50);
+    std::vector<std::uint8_t> flags(labels.is_inner().begin(), labels.is_inner().end());
+    CHECK(medax::Labels::from(t, flags).disagreement(labels) == 0);
+    flags.pop_back();
+    CHECK(THROWN(medax::Labels::from(t, flags)).status() == MEDAX_STATUS_MISMATCH);
+
+    const medax::Job job;
+    medax::MedialOptions with_scales;
+    with_scales.scales = 1;
+    const medax::Medial medial = medax::Medial::of(dual, labels, with_scales, job);
+    CHECK(std::strcmp(job.times().at(0).stage, "medial") == 0 && medial.validate().is_valid());
+    CHECK(medial.labels() && medial.labels()->is_inner().data() == labels.is_inner().data());
+    CHECK(medial.dual().centers().data() == dual.centers().data());
+    CHECK(medial.sines().rows() == dual.facets().rows() && medial.ratios().cols() == 2);
+    CHECK(medial.reaches().rows() == dual.facets().rows());
+    CHECK(medial.scales().rows() == t.cells().rows() && medial.least_cell()[0][0] == 0);
+    CHECK(medial.umbrella_offsets().rows() == points.count() + 1);
+    CHECK(medial.umbrella_rims().rows() == medial.umbrella_offsets()[points.count()][0]);
+    CHECK(medial.umbrella_is_disk().rows() == points.count());
+    CHECK(medial.torn_count() < points.count() / 10);
+    medax::MedialFilter filter;
+    CHECK(filter.rho == 8 && filter.side == MEDAX_SIDE_INNER);
+    const std::vector<std::uint32_t> selected = medial.selected();
+    CHECK(!selected.empty() && selected.back() < dual.facets().rows());
+    const medax::Complex axis = medial.axis();
+    CHECK(axis.faces().rows() <= selected.size() && axis.topology().components == 1);
+    CHECK(axis.attribute(MEDAX_ELEMENT_FACE, "facet").u32_values.rows() == axis.faces().rows());
+    filter.scale = 1.5;
+    CHECK(medial.selected(filter).size() < selected.size());
+    filter.theta = 2;
+    CHECK(THROWN(medial.axis(filter)).status() == MEDAX_STATUS_INVALID_ARGUMENT);
+
+    const medax::Medial bare = medax::Medial::of(dual);
+    CHECK(!bare.labels() && bare.scales().empty());
+    CHECK(THROWN(bare.axis()).status() == MEDAX_STATUS_INVALID_ARGUMENT);
+    medax::MedialFilter both;
+    both.side = MEDAX_SIDE_BOTH;
+    CHECK(bare.selected(both).size() > selected.size());
+    CHECK(surface.vertex_normals().size() == surface.vertices().rows());
+}
+
 void shapes() {
     CHECK(std::strcmp(medax::name(MEDAX_SHAPE_TORUS), "torus") == 0);
     CHECK(medax::describe(MEDAX_SHAPE_TORUS).genus == 1);
@@ -342,6 +388,7 @@ void shapes() {
     const medax::Poles poles = medax::Poles::of(dual);
     CHECK(!poles.has_far_box() && poles.pole_of_sample().rows() == points.count());
     CHECK(THROWN(medax::PowerCrust::of(poles)).status() == MEDAX_STATUS_MISMATCH);
+    axes(points, dual, surface);
 }
 
 void threads() {

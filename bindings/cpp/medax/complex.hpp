@@ -117,6 +117,13 @@ public:
                                                 numbers.data()));
         return numbers;
     }
+    /// The normals of the surface at its vertices.
+    std::vector<Point> vertex_normals(const Job &job = Job::fresh()) const {
+        std::vector<Point> normals(vertices().rows());
+        double *xyz = normals.empty() ? nullptr : normals.front().data();
+        job.check(medax_complex_vertex_normals(get(), job.get(), normals.size(), xyz));
+        return normals;
+    }
     Complex oriented(const Job &job = Job::fresh()) const {
         const medax_complex *oriented = nullptr;
         job.check(medax_complex_orient(get(), job.get(), &oriented));
