@@ -279,6 +279,11 @@ MEDAX_API uint64_t medax_last_error_index(void);
  */
 
 /**
+ * Cocone and Tight Cocone of a sample.
+ */
+typedef struct medax_cocone medax_cocone;
+
+/**
  * Vertices, polygons, loose edges, volume cells and named attributes: every result that can be
  * drawn or written.
  */
@@ -2493,10 +2498,163 @@ medax_status medax_power_crust_with_sizes(const medax_power_crust *crust,
                                           const medax_job *job,
                                           const medax_complex **out_complex);
 
-/* ---- 16. Labels of cells ----------------------------------------------------------------------
+/* ---- 16. Cocone -------------------------------------------------------------------------------
  *
- * For each cell of a Delaunay triangulation of samples whether it lies in the solid: whether its barycentre does. Inner axes take
- * these labels, wherever they come from.
+ * Surfaces through the samples, made of Delaunay triangles. Cocone chooses the triangles whose dual Voronoi edges pass through the
+ * tangent planes of their corners; its surface is open where the sample is too sparse. Tight Cocone marks the cells on both
+ * sides of it and peels off what is outside: its surface is the boundary of the cells that are left, closed for every sample.
+ * (Amenta, Choi, Dey, Leekha 2002, A simple algorithm for homeomorphic surface reconstruction; Dey, Goswami 2003, Tight Cocone.)
+ */
+
+/**
+ * The settings of Cocone and Tight Cocone.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * How far from the tangent plane at a sample a Voronoi edge of the surface may pass, in radians between 0 and pi/2; pi/8 by default.
+     */
+    double angle;
+    /**
+     * How many times as far as the corners of its tangent polygon the poles of a sample are at least that is dense enough;
+     * not negative, 1.2 by default.
+     */
+    double ratio;
+    /**
+     * The largest angle between the pole vectors of neighbours that are dense enough, in radians between 0 and pi/2; pi/6 by
+     * default.
+     */
+    double normal_angle;
+} medax_cocone_options;
+
+/**
+ * Sets cocone options to their defaults.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_status medax_cocone_options_init(medax_cocone_options *options, size_t struct_size);
+
+/**
+ * Builds both surfaces from the Voronoi diagram of a sample.
+ *
+ * \param dual The dual of a Delaunay triangulation, which the result keeps alive.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_cocone Receives the surfaces, which the caller frees with #medax_cocone_free.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for a power diagram and for options out of range; `MISMATCH` for the dual of points with
+ *         the far box; `DEGENERATE` where no cell is inside; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(m) for m cells, besides sorting. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_cocone_build(const medax_dual *dual,
+                                const medax_cocone_options *options,
+                                const medax_job *job,
+                                const medax_cocone **out_cocone);
+
+/**
+ * The watertight surface of Tight Cocone: the triangles between inner and outer cells, which point out of the solid. Every edge is in an even
+ * number of them. Vertices have the attribute `sample`, the vertex of the points that they are.
+ *
+ * \param cocone The surfaces.
+ * \param out_surface Receives the surface, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_cocone_surface(const medax_cocone *cocone,
+                                  const medax_complex **out_surface);
+
+/**
+ * The surface of Cocone alone, which has a boundary where the sample is too sparse. Vertices have the attribute `sample`.
+ *
+ * \param cocone The surfaces.
+ * \param out_surface Receives the surface, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_cocone_open_surface(const medax_cocone *cocone,
+                                       const medax_complex **out_surface);
+
+/**
+ * Whether each cell of the triangulation is inside the watertight surface.
+ *
+ * \param cocone The surfaces, or NULL.
+ * \return m x 1 flags, 0 or 1, in the order of #medax_triangulation_cells. Borrowed from `cocone`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u8 medax_cocone_is_inner(const medax_cocone *cocone);
+
+/**
+ * Whether each sample is too sparse beside its neighbours for Cocone to trust it.
+ *
+ * \param cocone The surfaces, or NULL.
+ * \return n x 1 flags, 0 or 1, one for each vertex of the points. Borrowed from `cocone`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u8 medax_cocone_is_undersampled(const medax_cocone *cocone);
+
+/**
+ * The number of samples that the watertight surface has as vertices.
+ *
+ * \param cocone The surfaces; NULL has none.
+ * \return The number of samples used.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API size_t medax_cocone_used_count(const medax_cocone *cocone);
+
+/**
+ * Checks the surfaces by other means than those that made them.
+ *
+ * \param cocone The surfaces.
+ * \param job NULL for a default job.
+ * \param out_report Filled, its `struct_size` being set.
+ * \return `MEDAX_STATUS_OK` whatever was found; `NULL_ARGUMENT`, `INVALID_ARGUMENT` for a report
+ *         of no version, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(m log m). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_cocone_validate(const medax_cocone *cocone,
+                                   const medax_job *job,
+                                   medax_validation *out_report);
+
+/**
+ * One more reference to surfaces.
+ *
+ * \param cocone The surfaces, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_cocone *medax_cocone_clone(const medax_cocone *cocone);
+
+/**
+ * Gives one reference to surfaces back; the last one frees them.
+ *
+ * \param cocone The surfaces; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_cocone_free(const medax_cocone *cocone);
+
+/* ---- 17. Labels of cells ----------------------------------------------------------------------
+ *
+ * For each cell of a Delaunay triangulation of samples whether it lies in the solid: where a mesh or a power crust tells, whether its Voronoi
+ * vertex does, and not its barycentre, since flat cells in the surface are nowhere. Inner axes take these labels, wherever they come from.
  */
 
 /**
@@ -2518,10 +2676,25 @@ medax_status medax_labels_new(const medax_triangulation *triangulation,
                               const medax_labels **out_labels);
 
 /**
- * Labels from a power crust of the same samples: a cell is inner where its barycentre lies in the power cell of an inner pole, in the
+ * Labels from Tight Cocone: the cells that its watertight surface encloses are inner.
+ *
+ * \param cocone The surfaces, whose triangulation the labels keep alive.
+ * \param job NULL for a default job.
+ * \param out_labels Receives the labels, which the caller frees with #medax_labels_free.
+ * \return `MEDAX_STATUS_OK`; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(m) for m cells. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_labels_of_cocone(const medax_cocone *cocone,
+                                    const medax_job *job,
+                                    const medax_labels **out_labels);
+
+/**
+ * Labels from a power crust of the same samples: a cell is inner where its Voronoi vertex lies in the power cell of an inner pole, in the
  * solid that the power crust bounds.
  *
- * \param triangulation The Delaunay triangulation of the samples, which the labels keep alive.
+ * \param dual The Voronoi diagram of the samples, whose triangulation the labels keep alive.
  * \param crust The power crust.
  * \param job NULL for a default job.
  * \param out_labels Receives the labels, which the caller frees with #medax_labels_free.
@@ -2531,19 +2704,19 @@ medax_status medax_labels_new(const medax_triangulation *triangulation,
  * About O(m) for m cells. Since 0.1.
  */
 MEDAX_API
-medax_status medax_labels_of_crust(const medax_triangulation *triangulation,
+medax_status medax_labels_of_crust(const medax_dual *dual,
                                    const medax_power_crust *crust,
                                    const medax_job *job,
                                    const medax_labels **out_labels);
 
 /**
- * Labels from a mesh of the solid: a cell is inner where the faces wind round its barycentre more than half a time, by
+ * Labels from a mesh of the solid: a cell is inner where the faces wind round its Voronoi vertex more than half a time, by
  * #medax_complex_winding_numbers.
  *
  * Faces must point out of the solid, and those of voids into them; small holes are bridged. The samples need not be the mesh's
  * vertices.
  *
- * \param triangulation The triangulation, which the labels keep alive.
+ * \param dual The Voronoi diagram of the samples, whose triangulation the labels keep alive.
  * \param mesh The mesh, as a complex with faces.
  * \param job NULL for a default job.
  * \param out_labels Receives the labels, which the caller frees with #medax_labels_free.
@@ -2553,7 +2726,7 @@ medax_status medax_labels_of_crust(const medax_triangulation *triangulation,
  * O((n + m) log n) for n triangles and m cells. Since 0.1.
  */
 MEDAX_API
-medax_status medax_labels_of_mesh(const medax_triangulation *triangulation,
+medax_status medax_labels_of_mesh(const medax_dual *dual,
                                   const medax_complex *mesh,
                                   const medax_job *job,
                                   const medax_labels **out_labels);
@@ -2626,7 +2799,7 @@ MEDAX_API const medax_labels *medax_labels_clone(const medax_labels *labels);
  */
 MEDAX_API void medax_labels_free(const medax_labels *labels);
 
-/* ---- 17. Medial axis --------------------------------------------------------------------------
+/* ---- 18. Medial axis --------------------------------------------------------------------------
  *
  * The medial axis straight from the Voronoi diagram of a sample: a Voronoi facet belongs to it if its dual Delaunay edge makes a
  * large angle with the surface at one of its ends, or is long beside the triangles of the surface there. These triangles are a
@@ -3040,7 +3213,7 @@ MEDAX_API const medax_medial *medax_medial_clone(const medax_medial *medial);
  */
 MEDAX_API void medax_medial_free(const medax_medial *medial);
 
-/* ---- 18. Complex ------------------------------------------------------------------------------
+/* ---- 19. Complex ------------------------------------------------------------------------------
  *
  * The one output type: vertices; faces, which are polygons; loose edges, which are no side of a
  * face; volume cells; named attributes on each of them; and the faces cut into triangles.
@@ -3317,7 +3490,7 @@ MEDAX_API const medax_complex *medax_complex_clone(const medax_complex *complex)
  */
 MEDAX_API void medax_complex_free(const medax_complex *complex);
 
-/* ---- 19. Topology -----------------------------------------------------------------------------
+/* ---- 20. Topology -----------------------------------------------------------------------------
  *
  * What a complex is as a set of elements that share others, told from its indices alone: vertices
  * that merely lie at the same place are different vertices. And what its coordinates make of that: measures, triangles that intersect.
@@ -3524,7 +3697,7 @@ medax_status medax_complex_validate(const medax_complex *complex,
                                     const medax_job *job,
                                     medax_validation *out_report);
 
-/* ---- 20. Winding numbers ----------------------------------------------------------------------
+/* ---- 21. Winding numbers ----------------------------------------------------------------------
  *
  * How often the faces of a complex wind round a point: 1 inside a closed surface whose faces point out, 0 outside of it.
  * (Jacobson, Kavan, Sorkine-Hornung 2013, Robust inside-outside segmentation using generalized winding numbers.)
@@ -3554,7 +3727,7 @@ medax_status medax_complex_winding_numbers(const medax_complex *complex,
                                            const medax_job *job,
                                            double *out_numbers);
 
-/* ---- 21. Normals ------------------------------------------------------------------------------
+/* ---- 22. Normals ------------------------------------------------------------------------------
  *
  * The normals of a surface at its vertices.
  */
@@ -3583,7 +3756,7 @@ medax_status medax_complex_vertex_normals(const medax_complex *complex,
                                           size_t vertex_count,
                                           double *out_normals);
 
-/* ---- 22. Comparison ---------------------------------------------------------------------------
+/* ---- 23. Comparison ---------------------------------------------------------------------------
  *
  * How far two complexes are apart as sets of points: their faces, loose edges and cells, which are
  * solid; or their vertices, where they have none of these.
@@ -3680,7 +3853,7 @@ medax_status medax_complex_compare(const medax_complex *a,
                                    const medax_job *job,
                                    medax_comparison *out_report);
 
-/* ---- 23. Decimation ---------------------------------------------------------------------------
+/* ---- 24. Decimation ---------------------------------------------------------------------------
  *
  * Fewer triangles for the same surface.
  */
@@ -3739,7 +3912,7 @@ medax_status medax_complex_decimate(const medax_complex *complex,
                                     const medax_job *job,
                                     const medax_complex **out_decimated);
 
-/* ---- 24. Flattening ---------------------------------------------------------------------------
+/* ---- 25. Flattening ---------------------------------------------------------------------------
  *
  * Power shapes have tetrahedra, most of them flat: these collapse to their triangles, and the homotopy type stays.
  */
@@ -3848,7 +4021,7 @@ MEDAX_API const medax_flattened *medax_flattened_clone(const medax_flattened *fl
  */
 MEDAX_API void medax_flattened_free(const medax_flattened *flattened);
 
-/* ---- 25. File contents ------------------------------------------------------------------------
+/* ---- 26. File contents ------------------------------------------------------------------------
  *
  * What a file holds, before points or a complex are made of it. Reading trusts nothing, and an error
  * names the line of a text or the byte of a binary file. The ending of a path names the format:
@@ -4024,7 +4197,7 @@ MEDAX_API const medax_file *medax_file_clone(const medax_file *file);
  */
 MEDAX_API void medax_file_free(const medax_file *file);
 
-/* ---- 26. Reading and writing ------------------------------------------------------------------
+/* ---- 27. Reading and writing ------------------------------------------------------------------
  *
  * Written are PLY, OFF, OBJ, STL, XYZ, PTS, TXT, CSV, MA and VTU, by the ending of the path, to a
  * file beside the given name, which is moved into place when it is complete: after an error, a file
@@ -4175,7 +4348,7 @@ MEDAX_API const medax_warnings *medax_warnings_clone(const medax_warnings *warni
  */
 MEDAX_API void medax_warnings_free(const medax_warnings *warnings);
 
-/* ---- 27. Samples ------------------------------------------------------------------------------
+/* ---- 28. Samples ------------------------------------------------------------------------------
  *
  * Points of the surfaces of built-in shapes and of meshes, evenly spread: no two are nearer than
  * the spacing. The same options give the same points on every machine.

@@ -4,6 +4,7 @@
 //!
 //! ```text
 //! files -> io -> Points -> Triangulation -> Dual -> Poles -> PowerCrust -> Complex -> io -> files
+//!                                            \-> Cocone, Labels, Medial -> Complex
 //! ```
 //!
 //! Every structure is immutable once built, and every build takes a [`Job`] that says how to

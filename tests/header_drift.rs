@@ -7,7 +7,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// The chapters of the header in order: the files of `src/capi`.
-const CHAPTERS: [&str; 27] = [
+const CHAPTERS: [&str; 28] = [
     "status",
     "handle",
     "view",
@@ -23,6 +23,7 @@ const CHAPTERS: [&str; 27] = [
     "relabel",
     "variants",
     "sizes",
+    "cocone",
     "labels",
     "medial",
     "complex",

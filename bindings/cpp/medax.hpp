@@ -21,6 +21,7 @@
 #include <medax/dual.hpp>
 #include <medax/poles.hpp>
 #include <medax/crust.hpp>
+#include <medax/cocone.hpp>
 #include <medax/labels.hpp>
 #include <medax/medial.hpp>
 #include <medax/sample.hpp>

@@ -72,6 +72,11 @@ pub struct medax_simplified {
     pub(super) simplified: crate::crust::Simplified,
 }
 
+/// Cocone and Tight Cocone of a sample.
+pub struct medax_cocone {
+    pub(super) cocone: Arc<crate::Cocone>,
+}
+
 /// For each cell of a Delaunay triangulation whether it lies in the solid.
 pub struct medax_labels {
     pub(super) labels: Arc<crate::labels::Labels>,
@@ -118,6 +123,7 @@ impl Handle for medax_warnings {}
 impl Handle for medax_poles {}
 impl Handle for medax_power_crust {}
 impl Handle for medax_simplified {}
+impl Handle for medax_cocone {}
 impl Handle for medax_labels {}
 impl Handle for medax_medial {}
 impl Handle for medax_complex {}

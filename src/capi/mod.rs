@@ -16,6 +16,7 @@ mod options;
 mod view;
 
 mod attribute;
+mod cocone;
 mod compare;
 mod complex;
 mod crust;

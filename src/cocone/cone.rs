@@ -128,6 +128,8 @@ impl<'a> Cones<'a> {
         let t = self.dual.triangulation();
         let normal = self.poles.normals[sample as usize];
         let mut width: f64 = 0.0;
+        // Where some rays go up and others down, the polygon is unbounded between them.
+        let mut far = [false; 2];
         for &cell in cells {
             let corners = t.cells()[cell as usize];
             for facet in (0..4).filter(|&i| corners[i] != sample) {
@@ -137,6 +139,12 @@ impl<'a> Cones<'a> {
                     continue;
                 }
                 let [a, b] = self.ends(cell, facet, sample);
+                if neighbor == NONE {
+                    far[usize::from(b.is_below())] = true;
+                    if far == [true; 2] {
+                        return f64::INFINITY;
+                    }
+                }
                 if a.is_below() == b.is_below() {
                     if neighbor == NONE && matches!(b, Place::High | Place::Low) {
                         // A ray nearly in the plane.

@@ -118,6 +118,12 @@ FIELD(medax_dual_options, struct_size, 0);
 FIELD(medax_dual_options, facets, 8);
 FIELD(medax_dual_options, reserved, 12);
 
+SIZE(medax_cocone_options, 32);
+FIELD(medax_cocone_options, struct_size, 0);
+FIELD(medax_cocone_options, angle, 8);
+FIELD(medax_cocone_options, ratio, 16);
+FIELD(medax_cocone_options, normal_angle, 24);
+
 SIZE(medax_medial_options, 32);
 FIELD(medax_medial_options, struct_size, 0);
 FIELD(medax_medial_options, normals, 8);

@@ -31,7 +31,7 @@ static torus sampled(void) {
     with_facets.facets = 1;
     CHECK_STATUS(OK, medax_dual_build(made.t, &with_facets, NULL, &made.dual));
     CHECK_STATUS(OK, medax_power_crust_build(made.points, NULL, NULL, &crust));
-    CHECK_STATUS(OK, medax_labels_of_crust(made.t, crust, NULL, &made.labels));
+    CHECK_STATUS(OK, medax_labels_of_crust(made.dual, crust, NULL, &made.labels));
     medax_power_crust_free(crust);
     NEED(made.dual != NULL && made.labels != NULL);
     return made;

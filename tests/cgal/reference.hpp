@@ -53,6 +53,20 @@ struct Poles {
 Poles poles(const std::vector<Point>& points, std::size_t sample_count, const std::vector<Cell>& cells,
             const std::vector<Point>& directions);
 
+// Two vertices, ascending.
+using Edge = std::array<std::uint32_t, 2>;
+
+// What MEDIAL selects.
+struct Axis {
+    std::vector<Edge> edges;  // ascending
+    std::vector<Edge> near;   // those of which a condition is within 1e-9 of its threshold, selected or not; ascending
+    double delaunay_seconds = 0, filter_seconds = 0;  // with rounded Voronoi vertices; the edges are decided with exact ones
+};
+
+// MEDIAL with both conditions, as the paper has it, on CGAL. The pole of a point on the hull lies in the direction that `directions` has
+// for it.
+Axis medial(const std::vector<Point>& points, const std::vector<Point>& directions, double theta, double rho);
+
 // Balls on a grid: each centre moved to the nearest multiple of 2^-36 of the least power of two that the longest side of
 // the samples' box does not exceed; its weight the squared distance to the least sample that has the
 // ball as a pole, as the nearest double, then as the nearest multiple of the squared step.

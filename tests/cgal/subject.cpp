@@ -1,5 +1,7 @@
 #include "subject.hpp"
 
+#include <cstring>
+
 namespace subject {
 namespace {
 
@@ -101,6 +103,36 @@ Crust power_crust(const std::vector<Point>& samples, bool round_poles) {
         crust.solid = false;
     }
     return crust;
+}
+
+Axis medial(const std::vector<Point>& samples, double theta, double rho) {
+    medax::JobOptions one_thread;
+    one_thread.threads = 1;
+    const auto seconds = [](const medax::Job& job, const char* stage) {
+        double sum = 0;
+        for (const auto& time : job.times())
+            if (std::strcmp(time.stage, stage) == 0) sum += time.wall_seconds;
+        return sum;
+    };
+    const auto points = medax::Points::from(samples);
+    const medax::Job delaunay(one_thread), filtering(one_thread);
+    const auto triangulation = medax::Triangulation::delaunay(points, delaunay);
+    medax::DualOptions with_facets;
+    with_facets.facets = 1;
+    const auto dual = medax::Dual::of(triangulation, with_facets);
+    const auto medial = medax::Medial::of(dual, {}, filtering);
+    medax::MedialFilter filter;
+    filter.theta = theta;
+    filter.rho = rho;
+    filter.side = MEDAX_SIDE_BOTH;
+    Axis axis;
+    axis.vertices = rows<3>(triangulation.coords());
+    axis.directions = rows<3>(medax::Poles::of(dual).normals());
+    const auto edges = dual.facet_edges();
+    for (std::uint32_t facet : medial.selected(filter)) axis.edges.push_back({edges[facet][0], edges[facet][1]});
+    axis.delaunay_seconds = seconds(delaunay, "triangulate");
+    axis.filter_seconds = seconds(filtering, "medial");
+    return axis;
 }
 
 }  // namespace subject

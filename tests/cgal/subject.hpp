@@ -66,4 +66,14 @@ struct Crust {
 
 Crust power_crust(const std::vector<Point>& samples, bool round_poles);
 
+// What MEDIAL selects of a sample.
+struct Axis {
+    std::vector<Point> vertices;
+    std::vector<Point> directions;  // to the first pole of each sample
+    std::vector<reference::Edge> edges;  // ascending
+    double delaunay_seconds = 0, filter_seconds = 0;  // by one thread
+};
+
+Axis medial(const std::vector<Point>& samples, double theta, double rho);
+
 }  // namespace subject

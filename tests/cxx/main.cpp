@@ -306,14 +306,22 @@ void crusts() {
 
 void axes(const medax::Points &points, const medax::Dual &dual, const medax::Complex &surface) {
     const medax::Triangulation t = dual.triangulation();
-    const medax::Labels labels = medax::Labels::of(t, medax::PowerCrust::of(points));
+    const medax::Labels labels = medax::Labels::of(dual, medax::PowerCrust::of(points));
     CHECK(labels.triangulation().cells().data() == t.cells().data());
     CHECK(labels.inner_count() > 0 && labels.inner_count() < labels.is_inner().rows());
-    CHECK(labels.disagreement(medax::Labels::of(t, surface)) < t.cells().rows() / 50);
+    CHECK(labels.disagreement(medax::Labels::of(dual, surface)) < t.cells().rows() / 50);
     std::vector<std::uint8_t> flags(labels.is_inner().begin(), labels.is_inner().end());
     CHECK(medax::Labels::from(t, flags).disagreement(labels) == 0);
     flags.pop_back();
     CHECK(THROWN(medax::Labels::from(t, flags)).status() == MEDAX_STATUS_MISMATCH);
+
+    const medax::Cocone cocone = medax::Cocone::of(dual);
+    CHECK(cocone.validate().is_valid() && cocone.used_count() <= points.count());
+    CHECK(cocone.surface().topology().boundary_loops == 0);
+    CHECK(cocone.open_surface().faces().rows() > 0);
+    CHECK(cocone.is_undersampled().rows() == points.count());
+    CHECK(medax::Labels::of(cocone).inner_count() > 0);
+    CHECK(cocone.is_inner().rows() == labels.is_inner().rows());
 
     const medax::Job job;
     medax::MedialOptions with_scales;
