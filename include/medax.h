@@ -2495,8 +2495,9 @@ medax_status medax_power_crust_with_sizes(const medax_power_crust *crust,
 
 /* ---- 16. Labels of cells ----------------------------------------------------------------------
  *
- * For each cell of a Delaunay triangulation of samples whether it lies in the solid: whether its barycentre does. Inner axes take
- * these labels, wherever they come from.
+ * For each cell of a Delaunay triangulation of samples whether it lies in the solid. Inner axes take these labels, wherever they come
+ * from. Where a mesh or a power crust tells, a cell is inner if its Voronoi vertex lies in the solid, and not its barycentre: a flat
+ * cell that lies in the surface is nowhere, but its Voronoi vertex may be far away, and then it is outside.
  */
 
 /**
@@ -2518,10 +2519,10 @@ medax_status medax_labels_new(const medax_triangulation *triangulation,
                               const medax_labels **out_labels);
 
 /**
- * Labels from a power crust of the same samples: a cell is inner where its barycentre lies in the power cell of an inner pole, in the
- * solid that the power crust bounds.
+ * Labels from a power crust of the same samples: a cell is inner where its Voronoi vertex lies in the power cell of an inner pole, in
+ * the solid that the power crust bounds.
  *
- * \param triangulation The Delaunay triangulation of the samples, which the labels keep alive.
+ * \param dual The dual of the Delaunay triangulation of the samples; the labels keep that triangulation alive.
  * \param crust The power crust.
  * \param job NULL for a default job.
  * \param out_labels Receives the labels, which the caller frees with #medax_labels_free.
@@ -2531,19 +2532,19 @@ medax_status medax_labels_new(const medax_triangulation *triangulation,
  * About O(m) for m cells. Since 0.1.
  */
 MEDAX_API
-medax_status medax_labels_of_crust(const medax_triangulation *triangulation,
+medax_status medax_labels_of_crust(const medax_dual *dual,
                                    const medax_power_crust *crust,
                                    const medax_job *job,
                                    const medax_labels **out_labels);
 
 /**
- * Labels from a mesh of the solid: a cell is inner where the faces wind round its barycentre more than half a time, by
+ * Labels from a mesh of the solid: a cell is inner where the faces wind round its Voronoi vertex more than half a time, by
  * #medax_complex_winding_numbers.
  *
  * Faces must point out of the solid, and those of voids into them; small holes are bridged. The samples need not be the mesh's
  * vertices.
  *
- * \param triangulation The triangulation, which the labels keep alive.
+ * \param dual The dual of the triangulation of the samples; the labels keep that triangulation alive.
  * \param mesh The mesh, as a complex with faces.
  * \param job NULL for a default job.
  * \param out_labels Receives the labels, which the caller frees with #medax_labels_free.
@@ -2553,7 +2554,7 @@ medax_status medax_labels_of_crust(const medax_triangulation *triangulation,
  * O((n + m) log n) for n triangles and m cells. Since 0.1.
  */
 MEDAX_API
-medax_status medax_labels_of_mesh(const medax_triangulation *triangulation,
+medax_status medax_labels_of_mesh(const medax_dual *dual,
                                   const medax_complex *mesh,
                                   const medax_job *job,
                                   const medax_labels **out_labels);
@@ -2829,8 +2830,9 @@ medax_status medax_medial_build(const medax_dual *dual,
 /**
  * The axis: the Voronoi facets that a filter lets pass, with their edges and vertices, as convex polygons.
  *
- * Vertices are Voronoi vertices, one for all cells that share a sphere, and carry `cell`, the least of these, `radius`, that of
- * the ball round them through their samples, and `scale` if scales were calculated. Faces are in the order of #medax_dual_facets
+ * Vertices are Voronoi vertices, one for all cells that share a sphere, and carry `cell`, the least of these, or `MEDAX_NONE` where
+ * a box has cut, `radius`, that of the ball round them through their samples, and `scale`, NaN where a box has cut, if scales were
+ * calculated. Faces are in the order of #medax_dual_facets
  * and turn counterclockwise as seen from the second sample; they carry `facet`, `samples` (the two ends of the dual edge),
  * `condition` (1 the angle condition, 2 the ratio condition, 3 both, 0 neither), `object_angle` (the least and the largest on the
  * face, in radians), `lambda` (half the length of the dual edge) and `side` (a #medax_side; `MEDAX_SIDE_BOTH` for one that crosses

@@ -1,11 +1,13 @@
 //! Labels of cells
 //!
-//! For each cell of a Delaunay triangulation of samples whether it lies in the solid: whether its barycentre does. Inner axes take
-//! these labels, wherever they come from.
+//! For each cell of a Delaunay triangulation of samples whether it lies in the solid. Inner axes take these labels, wherever they come
+//! from. Where a mesh or a power crust tells, a cell is inner if its Voronoi vertex lies in the solid, and not its barycentre: a flat
+//! cell that lies in the surface is nowhere, but its Voronoi vertex may be far away, and then it is outside.
 
 use super::boundary;
 use super::handle::{
-    self, medax_complex, medax_job, medax_labels, medax_power_crust, medax_triangulation,
+    self, medax_complex, medax_dual, medax_job, medax_labels, medax_power_crust,
+    medax_triangulation,
 };
 use super::options::flag;
 use super::status::medax_status;
@@ -46,10 +48,10 @@ pub unsafe extern "C" fn medax_labels_new(
     })
 }
 
-/// Labels from a power crust of the same samples: a cell is inner where its barycentre lies in the power cell of an inner pole, in the
-/// solid that the power crust bounds.
+/// Labels from a power crust of the same samples: a cell is inner where its Voronoi vertex lies in the power cell of an inner pole, in
+/// the solid that the power crust bounds.
 ///
-/// \param triangulation The Delaunay triangulation of the samples, which the labels keep alive.
+/// \param dual The dual of the Delaunay triangulation of the samples; the labels keep that triangulation alive.
 /// \param crust The power crust.
 /// \param job NULL for a default job.
 /// \param out_labels Receives the labels, which the caller frees with #medax_labels_free.
@@ -59,28 +61,28 @@ pub unsafe extern "C" fn medax_labels_new(
 /// About O(m) for m cells. Since 0.1.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn medax_labels_of_crust(
-    triangulation: *const medax_triangulation,
+    dual: *const medax_dual,
     crust: *const medax_power_crust,
     job: *const medax_job,
     out_labels: *mut *const medax_labels,
 ) -> medax_status {
     boundary::status(|| {
-        let triangulation = &handle::get(triangulation, "triangulation")?.triangulation;
+        let dual = &handle::get(dual, "dual")?.dual;
         let crust = &handle::get(crust, "crust")?.crust;
         let out = Out::new(out_labels, "out_labels")?;
         let mut own = None;
-        out.put(give(Labels::of_crust(triangulation, crust, handle::job(job, &mut own))?));
+        out.put(give(Labels::of_crust(dual, crust, handle::job(job, &mut own))?));
         Ok(())
     })
 }
 
-/// Labels from a mesh of the solid: a cell is inner where the faces wind round its barycentre more than half a time, by
+/// Labels from a mesh of the solid: a cell is inner where the faces wind round its Voronoi vertex more than half a time, by
 /// #medax_complex_winding_numbers.
 ///
 /// Faces must point out of the solid, and those of voids into them; small holes are bridged. The samples need not be the mesh's
 /// vertices.
 ///
-/// \param triangulation The triangulation, which the labels keep alive.
+/// \param dual The dual of the triangulation of the samples; the labels keep that triangulation alive.
 /// \param mesh The mesh, as a complex with faces.
 /// \param job NULL for a default job.
 /// \param out_labels Receives the labels, which the caller frees with #medax_labels_free.
@@ -90,17 +92,17 @@ pub unsafe extern "C" fn medax_labels_of_crust(
 /// O((n + m) log n) for n triangles and m cells. Since 0.1.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn medax_labels_of_mesh(
-    triangulation: *const medax_triangulation,
+    dual: *const medax_dual,
     mesh: *const medax_complex,
     job: *const medax_job,
     out_labels: *mut *const medax_labels,
 ) -> medax_status {
     boundary::status(|| {
-        let triangulation = &handle::get(triangulation, "triangulation")?.triangulation;
+        let dual = &handle::get(dual, "dual")?.dual;
         let mesh = &handle::get(mesh, "mesh")?.complex;
         let out = Out::new(out_labels, "out_labels")?;
         let mut own = None;
-        out.put(give(Labels::of_mesh(triangulation, mesh, handle::job(job, &mut own))?));
+        out.put(give(Labels::of_mesh(dual, mesh, handle::job(job, &mut own))?));
         Ok(())
     })
 }

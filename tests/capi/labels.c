@@ -19,16 +19,13 @@ static const medax_points *torus(void) {
     return points;
 }
 
-/* Whether the barycentre of each cell lies in the torus, for the caller to free. */
-static uint8_t *in_torus(const medax_triangulation *t) {
-    const medax_view_u32 cells = medax_triangulation_cells(t);
-    const medax_view_f64 coords = medax_triangulation_coords(t);
-    uint8_t *flags = malloc(cells.rows);
+/* Whether the Voronoi vertex of each cell lies in the torus, for the caller to free. */
+static uint8_t *in_torus(const medax_dual *dual) {
+    const medax_view_f64 centers = medax_dual_centers(dual);
+    uint8_t *flags = malloc(centers.rows);
     NEED(flags != NULL);
-    for (size_t c = 0; c < cells.rows; ++c) {
-        double p[3] = {0, 0, 0};
-        for (size_t i = 0; i < 4; ++i)
-            for (size_t k = 0; k < 3; ++k) p[k] += coords.data[3 * cells.data[4 * c + i] + k] / 4;
+    for (size_t c = 0; c < centers.rows; ++c) {
+        const double *p = centers.data + 3 * c;
         const double to_circle = sqrt(p[0] * p[0] + p[1] * p[1]) - 1;
         flags[c] = to_circle * to_circle + p[2] * p[2] < 0.16;
     }
@@ -94,26 +91,28 @@ static void given(const medax_triangulation *t, uint8_t *flags) {
     medax_triangulation_free(again);
 }
 
-static void found(const medax_triangulation *t, const medax_points *points, const uint8_t *flags) {
-    const size_t count = medax_triangulation_cells(t).rows;
+static void found(const medax_dual *dual, const medax_points *points, const uint8_t *flags) {
+    const size_t count = medax_dual_centers(dual).rows;
     const medax_labels *exact = NULL, *of_crust = NULL, *of_mesh = NULL, *none = UNTOUCHED;
     const medax_power_crust *crust = NULL, *elsewhere = NULL;
     const medax_complex *mesh = NULL, *bare = NULL;
     const medax_points *cloud = check_points(30);
-    const medax_triangulation *of_cloud = NULL;
+    const medax_triangulation *t = NULL, *of_cloud = NULL;
+    const medax_dual *cloud_dual = NULL;
     const medax_job *job = NULL;
     medax_complex_parts parts;
     size_t differ = count;
+    CHECK_STATUS(OK, medax_dual_triangulation(dual, &t));
     CHECK_STATUS(OK, medax_labels_new(t, flags, count, &exact));
     CHECK_STATUS(OK, medax_power_crust_build(points, NULL, NULL, &crust));
     CHECK_STATUS(OK, medax_power_crust_surface(crust, &mesh));
-    CHECK_STATUS(OK, medax_labels_of_crust(t, crust, NULL, &of_crust));
+    CHECK_STATUS(OK, medax_labels_of_crust(dual, crust, NULL, &of_crust));
     CHECK_STATUS(OK, medax_job_create(NULL, &job));
-    CHECK_STATUS(OK, medax_labels_of_mesh(t, mesh, job, &of_mesh));
+    CHECK_STATUS(OK, medax_labels_of_mesh(dual, mesh, job, &of_mesh));
     CHECK(strcmp(medax_job_stage(job), "label") == 0);
     NEED(exact != NULL && of_crust != NULL && of_mesh != NULL);
     CHECK(medax_labels_is_inner(of_crust).rows == count && medax_labels_is_inner(of_mesh).rows == count);
-    /* Only slivers along the surface, whose barycentres are next to it, may have another label. */
+    /* Only cells of which the Voronoi vertex is next to the surface may have another label. */
     CHECK_STATUS(OK, medax_labels_disagreement(exact, of_crust, &differ));
     CHECK(differ < count / 20);
     CHECK_STATUS(OK, medax_labels_disagreement(of_crust, of_mesh, &differ));
@@ -121,24 +120,25 @@ static void found(const medax_triangulation *t, const medax_points *points, cons
 
     CHECK_STATUS(OK, medax_power_crust_build(cloud, NULL, NULL, &elsewhere));
     CHECK_STATUS(OK, medax_delaunay_build(cloud, NULL, NULL, &of_cloud));
+    CHECK_STATUS(OK, medax_dual_build(of_cloud, NULL, NULL, &cloud_dual));
     medax_complex_parts_init(&parts, sizeof parts);
     CHECK_STATUS(OK, medax_complex_create(&parts, &bare));
     medax_job_cancel(job);
-    CHECK_STATUS(MISMATCH, medax_labels_of_crust(t, elsewhere, NULL, &none));
-    CHECK_STATUS(MISMATCH, medax_labels_of_crust(of_cloud, crust, NULL, &none));
+    CHECK_STATUS(MISMATCH, medax_labels_of_crust(dual, elsewhere, NULL, &none));
+    CHECK_STATUS(MISMATCH, medax_labels_of_crust(cloud_dual, crust, NULL, &none));
     CHECK_STATUS(NULL_ARGUMENT, medax_labels_of_crust(NULL, crust, NULL, &none));
-    CHECK_STATUS(NULL_ARGUMENT, medax_labels_of_crust(t, NULL, NULL, &none));
-    CHECK_STATUS(NULL_ARGUMENT, medax_labels_of_crust(t, crust, NULL, NULL));
-    CHECK_STATUS(CANCELLED, medax_labels_of_crust(t, crust, job, &none));
-    CHECK_STATUS(INVALID_ARGUMENT, medax_labels_of_mesh(t, bare, NULL, &none));
+    CHECK_STATUS(NULL_ARGUMENT, medax_labels_of_crust(dual, NULL, NULL, &none));
+    CHECK_STATUS(NULL_ARGUMENT, medax_labels_of_crust(dual, crust, NULL, NULL));
+    CHECK_STATUS(CANCELLED, medax_labels_of_crust(dual, crust, job, &none));
+    CHECK_STATUS(INVALID_ARGUMENT, medax_labels_of_mesh(dual, bare, NULL, &none));
     CHECK_STATUS(NULL_ARGUMENT, medax_labels_of_mesh(NULL, mesh, NULL, &none));
-    CHECK_STATUS(NULL_ARGUMENT, medax_labels_of_mesh(t, NULL, NULL, &none));
-    CHECK_STATUS(NULL_ARGUMENT, medax_labels_of_mesh(t, mesh, NULL, NULL));
-    CHECK_STATUS(CANCELLED, medax_labels_of_mesh(t, mesh, job, &none));
+    CHECK_STATUS(NULL_ARGUMENT, medax_labels_of_mesh(dual, NULL, NULL, &none));
+    CHECK_STATUS(NULL_ARGUMENT, medax_labels_of_mesh(dual, mesh, NULL, NULL));
+    CHECK_STATUS(CANCELLED, medax_labels_of_mesh(dual, mesh, job, &none));
     CHECK(none == UNTOUCHED);
 
-    /* A mesh may be about anything: of the cloud's cells some are in the torus. */
-    CHECK_STATUS(OK, medax_labels_of_mesh(of_cloud, mesh, NULL, &none));
+    /* A mesh may be about anything. */
+    CHECK_STATUS(OK, medax_labels_of_mesh(cloud_dual, mesh, NULL, &none));
     differ = 99;
     CHECK_STATUS(MISMATCH, medax_labels_disagreement(none, of_mesh, &differ));
     CHECK(differ == 99);
@@ -158,6 +158,7 @@ static void found(const medax_triangulation *t, const medax_points *points, cons
     medax_job_free(job);
     medax_complex_free(bare);
     medax_complex_free(mesh);
+    medax_dual_free(cloud_dual);
     medax_triangulation_free(of_cloud);
     medax_points_free(cloud);
     medax_power_crust_free(elsewhere);
@@ -165,6 +166,7 @@ static void found(const medax_triangulation *t, const medax_points *points, cons
     /* Labels keep alive what they need. */
     medax_points_free(points);
     medax_triangulation_free(t);
+    medax_dual_free(dual);
     const medax_triangulation *again = NULL;
     CHECK_STATUS(OK, medax_labels_triangulation(of_crust, &again));
     medax_labels_free(of_crust);
@@ -177,12 +179,15 @@ static void found(const medax_triangulation *t, const medax_points *points, cons
 int main(void) {
     const medax_points *points = torus();
     const medax_triangulation *t = NULL;
+    const medax_dual *dual = NULL;
     CHECK_STATUS(OK, medax_delaunay_build(points, NULL, NULL, &t));
-    NEED(t != NULL);
-    uint8_t *flags = in_torus(t);
+    CHECK_STATUS(OK, medax_dual_build(t, NULL, NULL, &dual));
+    NEED(dual != NULL);
+    uint8_t *flags = in_torus(dual);
     null_is_nothing();
     given(t, flags);
-    found(t, points, flags);
+    medax_triangulation_free(t);
+    found(dual, points, flags);
     free(flags);
     return check_end();
 }

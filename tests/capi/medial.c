@@ -31,7 +31,7 @@ static torus sampled(void) {
     with_facets.facets = 1;
     CHECK_STATUS(OK, medax_dual_build(made.t, &with_facets, NULL, &made.dual));
     CHECK_STATUS(OK, medax_power_crust_build(made.points, NULL, NULL, &crust));
-    CHECK_STATUS(OK, medax_labels_of_crust(made.t, crust, NULL, &made.labels));
+    CHECK_STATUS(OK, medax_labels_of_crust(made.dual, crust, NULL, &made.labels));
     medax_power_crust_free(crust);
     NEED(made.dual != NULL && made.labels != NULL);
     return made;
@@ -453,6 +453,23 @@ static void a_box(const torus *made) {
     CHECK_STATUS(OK, medax_medial_axis(medial, &filter, NULL, &clipped));
     CHECK(medax_complex_faces(clipped).rows == medax_complex_faces(whole).rows);
     CHECK(medax_complex_vertices(clipped).rows == medax_complex_vertices(whole).rows);
+    medax_complex_free(clipped);
+    medax_complex_free(whole);
+    clipped = whole = NULL;
+
+    /* With a box the outer axis has its unbounded facets too, as far as the box goes. */
+    filter.side = MEDAX_SIDE_OUTER;
+    CHECK_STATUS(OK, medax_medial_axis(medial, &filter, NULL, &clipped));
+    filter.has_clip = 0;
+    CHECK_STATUS(OK, medax_medial_axis(medial, &filter, NULL, &whole));
+    filter.has_clip = 1;
+    CHECK(medax_complex_faces(clipped).rows > medax_complex_faces(whole).rows);
+    const medax_view_f64 vertices = medax_complex_vertices(clipped);
+    const medax_view_u32 cell = attribute(clipped, MEDAX_ELEMENT_VERTEX, "cell").u32_values;
+    size_t cut = 0;
+    for (size_t i = 0; i < 3 * vertices.rows; ++i) CHECK(fabs(vertices.data[i]) < 9 + 1e-9);
+    for (size_t v = 0; v < vertices.rows; ++v) cut += cell.data[v] == MEDAX_NONE;
+    CHECK(cut > 0 && cut < vertices.rows);
     medax_complex_free(clipped);
     clipped = NO_COMPLEX;
     filter.clip_min[1] = 10;

@@ -306,10 +306,10 @@ void crusts() {
 
 void axes(const medax::Points &points, const medax::Dual &dual, const medax::Complex &surface) {
     const medax::Triangulation t = dual.triangulation();
-    const medax::Labels labels = medax::Labels::of(t, medax::PowerCrust::of(points));
+    const medax::Labels labels = medax::Labels::of(dual, medax::PowerCrust::of(points));
     CHECK(labels.triangulation().cells().data() == t.cells().data());
     CHECK(labels.inner_count() > 0 && labels.inner_count() < labels.is_inner().rows());
-    CHECK(labels.disagreement(medax::Labels::of(t, surface)) < t.cells().rows() / 50);
+    CHECK(labels.disagreement(medax::Labels::of(dual, surface)) < t.cells().rows() / 50);
     std::vector<std::uint8_t> flags(labels.is_inner().begin(), labels.is_inner().end());
     CHECK(medax::Labels::from(t, flags).disagreement(labels) == 0);
     flags.pop_back();

@@ -26,18 +26,16 @@ public:
             medax_labels_new(triangulation.get(), is_inner.data(), is_inner.size(), &labels));
         return Labels(labels);
     }
-    /// A cell is inner where its barycentre lies in the solid that a power crust bounds.
-    static Labels of(const Triangulation &triangulation, const PowerCrust &crust,
-                     const Job &job = Job::fresh()) {
+    /// A cell is inner where its Voronoi vertex lies in the solid that a power crust bounds.
+    static Labels of(const Dual &dual, const PowerCrust &crust, const Job &job = Job::fresh()) {
         const medax_labels *labels = nullptr;
-        job.check(medax_labels_of_crust(triangulation.get(), crust.get(), job.get(), &labels));
+        job.check(medax_labels_of_crust(dual.get(), crust.get(), job.get(), &labels));
         return Labels(labels);
     }
-    /// A cell is inner where the faces of a mesh wind round its barycentre.
-    static Labels of(const Triangulation &triangulation, const Complex &mesh,
-                     const Job &job = Job::fresh()) {
+    /// A cell is inner where the faces of a mesh wind round its Voronoi vertex.
+    static Labels of(const Dual &dual, const Complex &mesh, const Job &job = Job::fresh()) {
         const medax_labels *labels = nullptr;
-        job.check(medax_labels_of_mesh(triangulation.get(), mesh.get(), job.get(), &labels));
+        job.check(medax_labels_of_mesh(dual.get(), mesh.get(), job.get(), &labels));
         return Labels(labels);
     }
 
