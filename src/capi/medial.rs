@@ -232,8 +232,9 @@ pub unsafe extern "C" fn medax_medial_build(
 
 /// The axis: the Voronoi facets that a filter lets pass, with their edges and vertices, as convex polygons.
 ///
-/// Vertices are Voronoi vertices, one for all cells that share a sphere, and carry `cell`, the least of these, `radius`, that of
-/// the ball round them through their samples, and `scale` if scales were calculated. Faces are in the order of #medax_dual_facets
+/// Vertices are Voronoi vertices, one for all cells that share a sphere, and carry `cell`, the least of these, or `MEDAX_NONE` where
+/// a box has cut, `radius`, that of the ball round them through their samples, and `scale`, NaN where a box has cut, if scales were
+/// calculated. Faces are in the order of #medax_dual_facets
 /// and turn counterclockwise as seen from the second sample; they carry `facet`, `samples` (the two ends of the dual edge),
 /// `condition` (1 the angle condition, 2 the ratio condition, 3 both, 0 neither), `object_angle` (the least and the largest on the
 /// face, in radians), `lambda` (half the length of the dual edge) and `side` (a #medax_side; `MEDAX_SIDE_BOTH` for one that crosses

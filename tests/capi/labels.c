@@ -92,18 +92,17 @@ static void given(const medax_triangulation *t, uint8_t *flags) {
 }
 
 static void found(const medax_dual *dual, const medax_points *points, const uint8_t *flags) {
-    const medax_triangulation *t = NULL;
-    CHECK_STATUS(OK, medax_dual_triangulation(dual, &t));
-    const size_t count = medax_triangulation_cells(t).rows;
+    const size_t count = medax_dual_centers(dual).rows;
     const medax_labels *exact = NULL, *of_crust = NULL, *of_mesh = NULL, *none = UNTOUCHED;
     const medax_power_crust *crust = NULL, *elsewhere = NULL;
     const medax_complex *mesh = NULL, *bare = NULL;
     const medax_points *cloud = check_points(30);
-    const medax_triangulation *of_cloud = NULL;
-    const medax_dual *dual_of_cloud = NULL;
+    const medax_triangulation *t = NULL, *of_cloud = NULL;
+    const medax_dual *cloud_dual = NULL;
     const medax_job *job = NULL;
     medax_complex_parts parts;
     size_t differ = count;
+    CHECK_STATUS(OK, medax_dual_triangulation(dual, &t));
     CHECK_STATUS(OK, medax_labels_new(t, flags, count, &exact));
     CHECK_STATUS(OK, medax_power_crust_build(points, NULL, NULL, &crust));
     CHECK_STATUS(OK, medax_power_crust_surface(crust, &mesh));
@@ -113,7 +112,7 @@ static void found(const medax_dual *dual, const medax_points *points, const uint
     CHECK(strcmp(medax_job_stage(job), "label") == 0);
     NEED(exact != NULL && of_crust != NULL && of_mesh != NULL);
     CHECK(medax_labels_is_inner(of_crust).rows == count && medax_labels_is_inner(of_mesh).rows == count);
-    /* Only cells along the surface, whose Voronoi vertices are next to it, may have another label. */
+    /* Only cells of which the Voronoi vertex is next to the surface may have another label. */
     CHECK_STATUS(OK, medax_labels_disagreement(exact, of_crust, &differ));
     CHECK(differ < count / 20);
     CHECK_STATUS(OK, medax_labels_disagreement(of_crust, of_mesh, &differ));
@@ -121,12 +120,12 @@ static void found(const medax_dual *dual, const medax_points *points, const uint
 
     CHECK_STATUS(OK, medax_power_crust_build(cloud, NULL, NULL, &elsewhere));
     CHECK_STATUS(OK, medax_delaunay_build(cloud, NULL, NULL, &of_cloud));
-    CHECK_STATUS(OK, medax_dual_build(of_cloud, NULL, NULL, &dual_of_cloud));
+    CHECK_STATUS(OK, medax_dual_build(of_cloud, NULL, NULL, &cloud_dual));
     medax_complex_parts_init(&parts, sizeof parts);
     CHECK_STATUS(OK, medax_complex_create(&parts, &bare));
     medax_job_cancel(job);
     CHECK_STATUS(MISMATCH, medax_labels_of_crust(dual, elsewhere, NULL, &none));
-    CHECK_STATUS(MISMATCH, medax_labels_of_crust(dual_of_cloud, crust, NULL, &none));
+    CHECK_STATUS(MISMATCH, medax_labels_of_crust(cloud_dual, crust, NULL, &none));
     CHECK_STATUS(NULL_ARGUMENT, medax_labels_of_crust(NULL, crust, NULL, &none));
     CHECK_STATUS(NULL_ARGUMENT, medax_labels_of_crust(dual, NULL, NULL, &none));
     CHECK_STATUS(NULL_ARGUMENT, medax_labels_of_crust(dual, crust, NULL, NULL));
@@ -138,8 +137,8 @@ static void found(const medax_dual *dual, const medax_points *points, const uint
     CHECK_STATUS(CANCELLED, medax_labels_of_mesh(dual, mesh, job, &none));
     CHECK(none == UNTOUCHED);
 
-    /* A mesh may be about anything: of the cloud's cells some are in the torus. */
-    CHECK_STATUS(OK, medax_labels_of_mesh(dual_of_cloud, mesh, NULL, &none));
+    /* A mesh may be about anything. */
+    CHECK_STATUS(OK, medax_labels_of_mesh(cloud_dual, mesh, NULL, &none));
     differ = 99;
     CHECK_STATUS(MISMATCH, medax_labels_disagreement(none, of_mesh, &differ));
     CHECK(differ == 99);
@@ -159,15 +158,15 @@ static void found(const medax_dual *dual, const medax_points *points, const uint
     medax_job_free(job);
     medax_complex_free(bare);
     medax_complex_free(mesh);
+    medax_dual_free(cloud_dual);
     medax_triangulation_free(of_cloud);
-    medax_dual_free(dual_of_cloud);
     medax_points_free(cloud);
     medax_power_crust_free(elsewhere);
     medax_power_crust_free(crust);
     /* Labels keep alive what they need. */
     medax_points_free(points);
-    medax_dual_free(dual);
     medax_triangulation_free(t);
+    medax_dual_free(dual);
     const medax_triangulation *again = NULL;
     CHECK_STATUS(OK, medax_labels_triangulation(of_crust, &again));
     medax_labels_free(of_crust);
@@ -180,9 +179,8 @@ static void found(const medax_dual *dual, const medax_points *points, const uint
 int main(void) {
     const medax_points *points = torus();
     const medax_triangulation *t = NULL;
-    CHECK_STATUS(OK, medax_delaunay_build(points, NULL, NULL, &t));
-    NEED(t != NULL);
     const medax_dual *dual = NULL;
+    CHECK_STATUS(OK, medax_delaunay_build(points, NULL, NULL, &t));
     CHECK_STATUS(OK, medax_dual_build(t, NULL, NULL, &dual));
     NEED(dual != NULL);
     uint8_t *flags = in_torus(dual);

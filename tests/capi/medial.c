@@ -223,6 +223,7 @@ static void refused_filters(const torus *made) {
 static void views(const torus *made) {
     const medax_medial *medial = NULL, *bare = NULL;
     const medax_job *job = NULL;
+    const char *stage = NULL;
     const medax_dual *dual = NULL;
     const medax_labels *labels = made->labels;
     medax_validation report;
@@ -233,7 +234,8 @@ static void views(const torus *made) {
     CHECK_STATUS(OK, medax_medial_build(made->dual, made->labels, NULL, job, &medial));
     CHECK_STATUS(OK, medax_medial_build(made->dual, NULL, NULL, job, &bare));
     NEED(medial != NULL && bare != NULL);
-    CHECK(strcmp(medax_job_stage(job), "medial") == 0 && medax_job_stage_count(job) == 2);
+    CHECK_STATUS(OK, medax_job_stage_time(job, 0, &stage, NULL, NULL));
+    CHECK(strcmp(stage, "medial") == 0 && medax_job_stage_count(job) >= 2);
     const medax_view_f64 sines = medax_medial_sines(medial), ratios = medax_medial_ratios(medial);
     const medax_view_f64 reaches = medax_medial_reaches(medial);
     const medax_view_u32 least = medax_medial_least_cell(medial);
@@ -454,13 +456,31 @@ static void a_box(const torus *made) {
     CHECK(medax_complex_faces(clipped).rows == medax_complex_faces(whole).rows);
     CHECK(medax_complex_vertices(clipped).rows == medax_complex_vertices(whole).rows);
     medax_complex_free(clipped);
+    medax_complex_free(whole);
+    clipped = NULL;
+
+    /* With a box unbounded facets are there too, as far as the box goes. */
+    filter.side = MEDAX_SIDE_BOTH;
+    filter.rule = MEDAX_MEDIAL_RULE_EVERY;
+    CHECK_STATUS(OK, medax_medial_axis(medial, &filter, NULL, &clipped));
+    const medax_view_u32 facet = attribute(clipped, MEDAX_ELEMENT_FACE, "facet").u32_values;
+    const medax_view_u32 rays = medax_dual_facet_rays(made->dual);
+    size_t unbounded = 0;
+    for (size_t f = 0; f < facet.rows; ++f) unbounded += rays.data[2 * facet.data[f]] != MEDAX_NONE;
+    CHECK(unbounded > 0 && unbounded < facet.rows);
+    const medax_view_f64 vertices = medax_complex_vertices(clipped);
+    const medax_view_u32 cell = attribute(clipped, MEDAX_ELEMENT_VERTEX, "cell").u32_values;
+    size_t cut = 0;
+    for (size_t i = 0; i < 3 * vertices.rows; ++i) CHECK(fabs(vertices.data[i]) < 9 + 1e-9);
+    for (size_t v = 0; v < vertices.rows; ++v) cut += cell.data[v] == MEDAX_NONE;
+    CHECK(cut > 0 && cut < vertices.rows);
+    medax_complex_free(clipped);
     clipped = NO_COMPLEX;
     filter.clip_min[1] = 10;
     CHECK_STATUS(INVALID_ARGUMENT, medax_medial_axis(medial, &filter, NULL, &clipped));
     filter.clip_min[1] = -HUGE_VAL;
     CHECK_STATUS(INVALID_ARGUMENT, medax_medial_axis(medial, &filter, NULL, &clipped));
     CHECK(clipped == NO_COMPLEX);
-    medax_complex_free(whole);
     medax_medial_free(medial);
 }
 
@@ -481,7 +501,7 @@ static void scales(const torus *made) {
     }
     CHECK(largest >= 2 && largest < values.rows / 10);
     const size_t all = count_of(medial, &filter);
-    filter.scale = 1.5;
+    filter.scale = 4;
     CHECK(count_of(medial, &filter) < all);
     CHECK_STATUS(OK, medax_medial_axis(medial, &filter, NULL, &axis));
     CHECK(attribute(axis, MEDAX_ELEMENT_VERTEX, "scale").f64_values.rows

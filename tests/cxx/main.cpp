@@ -344,7 +344,7 @@ void axes(const medax::Points &points, const medax::Dual &dual, const medax::Com
     const medax::Complex axis = medial.axis();
     CHECK(axis.faces().rows() <= selected.size() && axis.topology().components == 1);
     CHECK(axis.attribute(MEDAX_ELEMENT_FACE, "facet").u32_values.rows() == axis.faces().rows());
-    filter.scale = 1.5;
+    filter.scale = 8;
     CHECK(medial.selected(filter).size() < selected.size());
     filter.theta = 2;
     CHECK(THROWN(medial.axis(filter)).status() == MEDAX_STATUS_INVALID_ARGUMENT);
