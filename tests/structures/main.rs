@@ -1,11 +1,13 @@
 //! The library's structures, from points to power crusts, over sets that break such programs.
 
 mod authors_failures;
+mod cell_labels;
 mod crust;
 mod dual;
 mod generated;
 mod job;
 mod labels;
+mod medial;
 mod points;
 mod poles;
 mod relabel;
