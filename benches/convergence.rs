@@ -328,26 +328,21 @@ fn certified(surface: Surface, samples: &[Point], epsilon: f64) -> Option<[f64; 
     Some(found)
 }
 
-/// The inner axis with the default thresholds; cells are inner where a function of their barycentre is negative.
-fn inner_axis(
-    rows: &[Point],
-    labels: impl FnOnce(&Arc<Triangulation>) -> Labels,
-) -> (Complex, usize) {
+/// The inner axis with the default thresholds, and how many umbrellas are no disks. A facet is inner if all its corners, the Voronoi vertices,
+/// are: flat cells that span the outside of a bend have their barycentres inside, and their Voronoi vertices far outside.
+fn inner_axis(rows: &[Point], is_inside: &dyn Fn(&[Point]) -> Vec<bool>) -> (Complex, usize) {
     let job = Job::default();
     let points = Arc::new(Points::new(rows, PointsOptions::default(), &job).unwrap());
     let t = Arc::new(Triangulation::delaunay(&points, &job).unwrap());
     let dual = Arc::new(Dual::new(&t, DualOptions { facets: true }, &job).unwrap());
-    let labels = Arc::new(labels(&t));
+    let labels = Arc::new(Labels::new(&t, is_inside(dual.centers())).unwrap());
     let medial = Medial::new(&dual, Some(&labels), Default::default(), &job).unwrap();
     (medial.axis(&MedialFilter::default(), &job).unwrap(), medial.umbrellas().torn_count())
 }
 
-fn by_value(t: &Arc<Triangulation>, value: impl Fn(Point) -> f64) -> Labels {
-    let is_inner = t.cells().iter().map(|corners| {
-        let at = corners.map(|v| t.coords()[v as usize]);
-        value([0, 1, 2].map(|k| at.iter().map(|p| p[k] / 4.0).sum())) < 0.0
-    });
-    Labels::new(t, is_inner.collect()).unwrap()
+/// Whether points lie inside, by a function that is negative there.
+fn by_value(value: impl Fn(Point) -> f64) -> impl Fn(&[Point]) -> Vec<bool> {
+    move |points| points.iter().map(|&p| value(p) < 0.0).collect()
 }
 
 fn distances(a: &Complex, b: &Complex) -> Comparison {
@@ -366,7 +361,7 @@ fn convergence(epsilons: &[f64]) {
         for &epsilon in epsilons {
             let rows = samples(surface, epsilon);
             let [bound, seen] = certified(surface, &rows, epsilon).expect("an epsilon-sample");
-            let (axis, torn) = inner_axis(&rows, |t| by_value(t, |p| surface.shape().value(p)));
+            let (axis, torn) = inner_axis(&rows, &by_value(|p| surface.shape().value(p)));
             let found = distances(&axis, &exact);
             let parts = [found.a_to_b, found.b_to_a].map(|d| [d.max / diagonal, d.mean / diagonal]);
             let [[to, to_mean], [from, from_mean]] = parts;
@@ -464,7 +459,7 @@ fn degenerate() {
             ),
         ];
         for (name, rows, diagonal, exact, value) in cases {
-            let (axis, torn) = inner_axis(&rows, |t| by_value(t, value));
+            let (axis, torn) = inner_axis(&rows, &by_value(value));
             let mut fields = vec!["degenerate".into(), name.to_string()];
             fields.extend([rows.len(), axis.faces().len(), torn].map(|n| n.to_string()));
             if axis.faces().is_empty() {
@@ -511,7 +506,7 @@ fn densities(models: Option<&str>) {
     let even = |name: &str,
                 rows: &[Point],
                 spacing: f64,
-                labels: &dyn Fn(&Arc<Triangulation>) -> Labels,
+                labels: &dyn Fn(&[Point]) -> Vec<bool>,
                 diagonal: f64| {
         let uneven = thinned(rows, spacing);
         let [(a, _), (b, _)] = [rows, &uneven].map(|rows| inner_axis(rows, labels));
@@ -529,7 +524,7 @@ fn densities(models: Option<&str>) {
     for spacing in [0.04, 0.02] {
         let options = SampleOptions { spacing, ..Default::default() };
         let rows = sample(Shape::Torus, options, &job).unwrap().points().to_vec();
-        let labels = |t: &Arc<Triangulation>| by_value(t, |p| Shape::Torus.value(p));
+        let labels = by_value(|p| Shape::Torus.value(p));
         even(
             &format!("torus, spacing {spacing}"),
             &rows,
@@ -554,7 +549,10 @@ fn densities(models: Option<&str>) {
         let spacing = diagonal / share;
         let options = SampleOptions { spacing, ..Default::default() };
         let rows = sample_mesh(&mesh, options, &job).unwrap().points().to_vec();
-        let labels = |t: &Arc<Triangulation>| Labels::of_mesh(t, &mesh, &job).unwrap();
+        let labels = |points: &[Point]| {
+            let numbers = mesh.winding_numbers(points, &job).unwrap();
+            numbers.into_iter().map(|number| number > 0.5).collect()
+        };
         even(
             &format!("3holes, spacing 1/{share} of the diagonal"),
             &rows,
