@@ -5,7 +5,7 @@ use crate::dual::Facets;
 use crate::error::Result;
 use crate::job::{PART, Room, Run, parts};
 use crate::triangulation::Triangulation;
-use crate::vector::{cross, dot, length, scale, sub};
+use crate::vector::{Vec3, cross, dot, length, scale, sub};
 
 /// What the conditions ask of each Voronoi facet, by the two ends of its dual edge.
 ///
@@ -88,13 +88,10 @@ fn planes(
                 if i % 4096 == 0 {
                     run.poll()?;
                 }
-                let [u, v] = rim.map(|v| sub(t.coords()[v as usize], p));
-                let normal = cross(u, v);
-                let twice_area = length(normal);
-                // The product of the sides by four times the area.
-                let radius = length(u) * length(v) * length(sub(u, v)) / (2.0 * twice_area);
+                let [u, v] = rim.map(|v| t.coords()[v as usize]);
+                let (normal, radius) = plane(p, u, v);
                 largest = largest.max(radius);
-                normals.push(scale(normal, 1.0 / twice_area));
+                normals.push(normal);
             }
             radii.push(largest);
         }
@@ -108,4 +105,20 @@ fn planes(
         radii.extend(piece_radii);
     }
     Ok((normals, radii))
+}
+
+/// The unit normal of a triangle, and its circumradius. From its two shortest sides: those of a needle are two long ones, which differ by less than they
+/// are rounded, and a short one.
+fn plane(a: Vec3, b: Vec3, c: Vec3) -> (Vec3, f64) {
+    let mut sides = [sub(b, a), sub(c, b), sub(a, c)];
+    let mut lengths = sides.map(length);
+    while lengths[2] < lengths[0] || lengths[2] < lengths[1] {
+        sides.rotate_left(1);
+        lengths.rotate_left(1);
+    }
+    let normal = cross(sides[0], sides[1]);
+    let twice_area = length(normal);
+    // The product of the sides by four times the area.
+    let radius = lengths[0] * lengths[1] * lengths[2] / (2.0 * twice_area);
+    (scale(normal, 1.0 / twice_area), radius)
 }

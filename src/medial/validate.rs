@@ -5,7 +5,7 @@ use crate::error::{ElementKind, Result};
 use crate::job::{Job, Run, Stage};
 use crate::poles::is_opposite;
 use crate::validation::Validation;
-use crate::vector::{cross, dot, length, sub};
+use crate::vector::{cross, dot, length, sub, unit};
 
 impl Medial {
     /// Checks umbrellas and conditions from the other side than they were made: round each Voronoi facet, whose polygon a tangent plane must
@@ -72,20 +72,28 @@ impl Medial {
         Ok(())
     }
 
-    /// The sine and the ratio of an edge, from the triangles' heights: another formula than that which made them.
+    /// The sine and the ratio of an edge, from the triangles' angles: another formula than that which made them.
     fn measured(&self, end: u32, edge: [f64; 3]) -> (f64, f64) {
         let coords = self.dual.triangulation().coords();
         let p = coords[end as usize];
         let (mut sine, mut ratio) = (f64::INFINITY, f64::INFINITY);
         for rim in self.umbrellas.rims_of(end) {
-            let [u, v] = rim.map(|v| sub(coords[v as usize], p));
-            let normal = cross(u, v);
+            let [u, v] = rim.map(|v| coords[v as usize]);
+            // The corner with the largest angle: needles lose the least digits there.
+            let corners = [[p, u, v], [u, v, p], [v, p, u]];
+            let cosine = |[at, a, b]: [[f64; 3]; 3]| {
+                let [a, b] = [a, b].map(|x| unit(sub(x, at)));
+                dot(a, b)
+            };
+            let widest = corners.into_iter().min_by(|&a, &b| cosine(a).total_cmp(&cosine(b)));
+            let [at, a, b] = widest.unwrap_or(corners[0]);
+            let opposite = length(sub(b, a));
+            let [a, b] = [a, b].map(|x| unit(sub(x, at)));
+            let normal = cross(a, b);
             let volume = dot(normal, edge).abs();
             sine = sine.min(volume / length(normal) / length(edge));
             // A side by twice the sine of the angle opposite.
-            let [a, b] = [sub(u, v), u].map(|x| sub([0.0; 3], x));
-            let opposite = length(cross(a, b)) / length(a) / length(b);
-            ratio = ratio.min(2.0 * opposite * length(edge) / length(v));
+            ratio = ratio.min(2.0 * length(normal) * length(edge) / opposite);
         }
         (sine, ratio)
     }

@@ -1,12 +1,14 @@
 //! The library's structures, from points to power crusts, over sets that break such programs.
 
 mod authors_failures;
+mod cell_labels;
 mod cocone;
 mod crust;
 mod dual;
 mod generated;
 mod job;
 mod labels;
+mod medial;
 mod points;
 mod poles;
 mod relabel;

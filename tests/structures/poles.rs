@@ -60,26 +60,26 @@ fn every_kind_of_set_is_valid() {
     }
 }
 
-type Exact = [BigRational; 3];
+pub type Exact = [BigRational; 3];
 
-fn exact(p: [f64; 3]) -> Exact {
+pub fn exact(p: [f64; 3]) -> Exact {
     p.map(|x| BigRational::from_float(x).unwrap())
 }
 
-fn exact_dot(a: &Exact, b: &Exact) -> BigRational {
+pub fn exact_dot(a: &Exact, b: &Exact) -> BigRational {
     (0..3).map(|k| &a[k] * &b[k]).sum()
 }
 
-fn exact_minus(a: &Exact, b: &Exact) -> Exact {
+pub fn exact_minus(a: &Exact, b: &Exact) -> Exact {
     std::array::from_fn(|k| &a[k] - &b[k])
 }
 
-fn exact_cross(a: &Exact, b: &Exact) -> Exact {
+pub fn exact_cross(a: &Exact, b: &Exact) -> Exact {
     [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &a[i] * &b[j] - &a[j] * &b[i])
 }
 
 /// The circumcenter, by Cramer's rule.
-fn exact_center(points: [[f64; 3]; 4]) -> Exact {
+pub fn exact_center(points: [[f64; 3]; 4]) -> Exact {
     let [a, b, c, d] = points.map(exact);
     let [b, c, d] = [b, c, d].map(|p| exact_minus(&p, &a));
     let [bc, cd, db] = [exact_cross(&b, &c), exact_cross(&c, &d), exact_cross(&d, &b)];
