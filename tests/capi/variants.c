@@ -84,6 +84,28 @@ static void offsets(const medax_power_crust *crust) {
     }
 }
 
+/* An ellipsoid's inner axis is a disc, at any scale that keeps a ball. */
+static void scale_axes(const medax_power_crust *crust) {
+    const double factors[] = {1, 1.1};
+    for (size_t i = 0; i < 2; ++i) {
+        const medax_complex *axis = NULL;
+        medax_topology topology;
+        topology.struct_size = sizeof topology;
+        CHECK_STATUS(OK, medax_power_crust_scale_axis(crust, MEDAX_LABEL_INNER, factors[i], NULL, &axis));
+        CHECK_STATUS(OK, medax_complex_topology(axis, NULL, &topology));
+        CHECK(topology.betti[0] == 1 && topology.betti[1] == 0 && topology.betti[2] == 0);
+        const medax_view_f64 at = medax_complex_vertices(axis);
+        for (size_t v = 0; v < at.rows; ++v) CHECK(fabs(at.data[3 * v + 2]) < 0.1);
+        medax_complex_free(axis);
+    }
+    const medax_complex *none = UNTOUCHED(medax_complex);
+    CHECK_STATUS(INVALID_ARGUMENT, medax_power_crust_scale_axis(crust, MEDAX_LABEL_INNER, 0.5, NULL, &none));
+    CHECK_STATUS(INVALID_ARGUMENT, medax_power_crust_scale_axis(crust, 7, 1, NULL, &none));
+    CHECK_STATUS(NULL_ARGUMENT, medax_power_crust_scale_axis(NULL, MEDAX_LABEL_INNER, 1, NULL, &none));
+    CHECK_STATUS(NULL_ARGUMENT, medax_power_crust_scale_axis(crust, MEDAX_LABEL_INNER, 1, NULL, NULL));
+    CHECK(none == UNTOUCHED(medax_complex));
+}
+
 static void simplified(const medax_power_crust *crust) {
     const medax_simplified *result = NULL, *again = NULL;
     const medax_power_crust *simple = NULL;
@@ -164,6 +186,7 @@ int main(void) {
     NEED(crust != NULL);
     refusals(crust);
     offsets(crust);
+    scale_axes(crust);
     simplified(crust);
     opened(crust);
     omitted(points);

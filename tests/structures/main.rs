@@ -12,6 +12,7 @@ mod medial;
 mod points;
 mod poles;
 mod relabel;
+mod scale_axis;
 mod sets;
 mod sizes;
 mod triangulation;

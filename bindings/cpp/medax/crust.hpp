@@ -115,6 +115,12 @@ public:
         job.check(medax_power_crust_offset(get(), distance, job.get(), &offset));
         return PowerCrust(offset);
     }
+    /// The axis of one side's balls, grown by a factor, with the balls shrunk back.
+    Complex scale_axis(medax_label side, double factor, const Job &job = Job::fresh()) const {
+        const medax_complex *axis = nullptr;
+        job.check(medax_power_crust_scale_axis(get(), side, factor, job.get(), &axis));
+        return Complex(axis);
+    }
     /// The power crust of stable poles that are not redundant.
     inline Simplified simplify(const SimplifyOptions &options = {},
                                const Job &job = Job::fresh()) const;
