@@ -2670,7 +2670,7 @@ MEDAX_API void medax_cocone_free(const medax_cocone *cocone);
  * O(m) for m cells. Since 0.1.
  */
 MEDAX_API
-medax_status medax_labels_new(const medax_triangulation *triangulation,
+medax_status medax_labels_create(const medax_triangulation *triangulation,
                               const uint8_t *is_inner,
                               size_t count,
                               const medax_labels **out_labels);

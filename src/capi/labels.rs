@@ -27,7 +27,7 @@ use std::sync::Arc;
 ///
 /// O(m) for m cells. Since 0.1.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn medax_labels_new(
+pub unsafe extern "C" fn medax_labels_create(
     triangulation: *const medax_triangulation,
     is_inner: *const u8,
     count: usize,

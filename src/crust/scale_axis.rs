@@ -140,8 +140,7 @@ impl DualComplex {
                 }
                 let triangle = t.facet(cell, facet);
                 let apex = |cell: u32| {
-                    let corners = t.cells()[cell as usize].into_iter();
-                    corners.filter(|v| !triangle.contains(v)).last()
+                    t.cells()[cell as usize].into_iter().find(|v| !triangle.contains(v))
                 };
                 let beyond = if neighbor == NONE { None } else { apex(neighbor) };
                 let others = [Some(corners[facet]), beyond].into_iter().flatten();

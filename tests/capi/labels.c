@@ -47,7 +47,7 @@ static void given(const medax_triangulation *t, uint8_t *flags) {
     const medax_triangulation *again = NULL;
     size_t inner = 0, differ = 99;
     for (size_t c = 0; c < count; ++c) inner += flags[c];
-    CHECK_STATUS(OK, medax_labels_new(t, flags, count, &labels));
+    CHECK_STATUS(OK, medax_labels_create(t, flags, count, &labels));
     NEED(labels != NULL);
     CHECK(medax_labels_inner_count(labels) == inner && inner > 0 && inner < count);
     CHECK(medax_labels_is_inner(labels).rows == count && medax_labels_is_inner(labels).cols == 1);
@@ -57,7 +57,7 @@ static void given(const medax_triangulation *t, uint8_t *flags) {
 
     /* Copied: what the caller changes afterwards changes nothing. */
     for (size_t c = 0; c < 3; ++c) flags[c] = !flags[c];
-    CHECK_STATUS(OK, medax_labels_new(t, flags, count, &other));
+    CHECK_STATUS(OK, medax_labels_create(t, flags, count, &other));
     CHECK_STATUS(OK, medax_labels_disagreement(labels, other, &differ));
     CHECK(differ == 3);
     CHECK_STATUS(OK, medax_labels_disagreement(labels, labels, &differ));
@@ -66,17 +66,17 @@ static void given(const medax_triangulation *t, uint8_t *flags) {
     for (size_t c = 0; c < 3; ++c) flags[c] = !flags[c];
 
     other = UNTOUCHED;
-    CHECK_STATUS(MISMATCH, medax_labels_new(t, flags, count - 1, &other));
+    CHECK_STATUS(MISMATCH, medax_labels_create(t, flags, count - 1, &other));
     CHECK(medax_last_error_kind() == MEDAX_ERROR_KIND_CELL && medax_last_error_index() == count - 1);
-    CHECK_STATUS(MISMATCH, medax_labels_new(t, NULL, 0, &other));
+    CHECK_STATUS(MISMATCH, medax_labels_create(t, NULL, 0, &other));
     flags[2] += 2;
-    CHECK_STATUS(INVALID_ARGUMENT, medax_labels_new(t, flags, count, &other));
+    CHECK_STATUS(INVALID_ARGUMENT, medax_labels_create(t, flags, count, &other));
     CHECK(medax_last_error_kind() == MEDAX_ERROR_KIND_CELL && medax_last_error_index() == 2);
     flags[2] -= 2;
-    CHECK_STATUS(NULL_ARGUMENT, medax_labels_new(NULL, flags, count, &other));
-    CHECK_STATUS(NULL_ARGUMENT, medax_labels_new(t, NULL, count, &other));
-    CHECK_STATUS(NULL_ARGUMENT, medax_labels_new(t, flags, count, NULL));
-    CHECK_STATUS(INVALID_ARGUMENT, medax_labels_new(t, flags, SIZE_MAX, &other));
+    CHECK_STATUS(NULL_ARGUMENT, medax_labels_create(NULL, flags, count, &other));
+    CHECK_STATUS(NULL_ARGUMENT, medax_labels_create(t, NULL, count, &other));
+    CHECK_STATUS(NULL_ARGUMENT, medax_labels_create(t, flags, count, NULL));
+    CHECK_STATUS(INVALID_ARGUMENT, medax_labels_create(t, flags, SIZE_MAX, &other));
     CHECK_STATUS(NULL_ARGUMENT, medax_labels_triangulation(labels, NULL));
     differ = 99;
     CHECK_STATUS(NULL_ARGUMENT, medax_labels_disagreement(NULL, labels, &differ));
@@ -103,7 +103,7 @@ static void found(const medax_dual *dual, const medax_points *points, const uint
     medax_complex_parts parts;
     size_t differ = count;
     CHECK_STATUS(OK, medax_dual_triangulation(dual, &t));
-    CHECK_STATUS(OK, medax_labels_new(t, flags, count, &exact));
+    CHECK_STATUS(OK, medax_labels_create(t, flags, count, &exact));
     CHECK_STATUS(OK, medax_power_crust_build(points, NULL, NULL, &crust));
     CHECK_STATUS(OK, medax_power_crust_surface(crust, &mesh));
     CHECK_STATUS(OK, medax_labels_of_crust(dual, crust, NULL, &of_crust));
@@ -148,7 +148,7 @@ static void found(const medax_dual *dual, const medax_points *points, const uint
     const medax_triangulation *equal = NULL;
     const medax_labels *of_equal = NULL;
     CHECK_STATUS(OK, medax_delaunay_build(points, NULL, NULL, &equal));
-    CHECK_STATUS(OK, medax_labels_new(equal, flags, count, &of_equal));
+    CHECK_STATUS(OK, medax_labels_create(equal, flags, count, &of_equal));
     CHECK_STATUS(OK, medax_labels_disagreement(exact, of_equal, &differ));
     CHECK(differ == 0);
     medax_triangulation_free(equal);

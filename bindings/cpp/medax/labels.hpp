@@ -24,7 +24,7 @@ public:
                        const std::vector<std::uint8_t> &is_inner) {
         const medax_labels *labels = nullptr;
         detail::check(
-            medax_labels_new(triangulation.get(), is_inner.data(), is_inner.size(), &labels));
+            medax_labels_create(triangulation.get(), is_inner.data(), is_inner.size(), &labels));
         return Labels(labels);
     }
     /// The cells that the surface of Tight Cocone encloses are inner.
