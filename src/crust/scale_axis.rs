@@ -133,7 +133,7 @@ impl DualComplex {
             if is_cell_in(cell) {
                 room.push(&mut shape.cells, corners)?;
             }
-            for facet in 0..4 {
+            for (facet, opposite) in corners.into_iter().enumerate() {
                 let neighbor = t.neighbors()[cell as usize][facet];
                 if neighbor < cell {
                     continue;
@@ -143,7 +143,7 @@ impl DualComplex {
                     t.cells()[cell as usize].into_iter().find(|v| !triangle.contains(v))
                 };
                 let beyond = if neighbor == NONE { None } else { apex(neighbor) };
-                let others = [Some(corners[facet]), beyond].into_iter().flatten();
+                let others = [Some(opposite), beyond].into_iter().flatten();
                 let is_in = is_cell_in(cell)
                     || (neighbor != NONE && is_cell_in(neighbor))
                     || is_free(t, foot_of_triangle(t, triangle), triangle[0], others);
