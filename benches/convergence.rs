@@ -3,7 +3,7 @@
 //! Prints a table, fields parted by tabs, which `benches/convergence.py` makes the page and the plot of. With a folder of models as its argument it takes
 //! 3holes.off too.
 
-use medax::complex::{CompareOptions, Comparison, ComplexParts, Rows, compare};
+use medax::complex::{CompareOptions, Comparison, ComplexParts, Element, Rows, Values, compare};
 use medax::dual::DualOptions;
 use medax::io::read_complex;
 use medax::medial::MedialFilter;
@@ -136,6 +136,21 @@ impl Surface {
             Surface::Torus => TORUS_TUBE,
             Surface::Ellipsoid => Shape::Ellipsoid.inner_axis_distance(at).unwrap(),
             Surface::Trefoil => TREFOIL_TUBE,
+        }
+    }
+
+    /// The radius of the inner medial ball at a point of the surface, and its medial angle: that between the tangent plane and the farthest
+    /// point at which the ball touches.
+    fn inner_ball(self, [x, y, z]: Point) -> [f64; 2] {
+        match self {
+            Surface::Torus => [TORUS_TUBE, TAU / 4.0],
+            Surface::Trefoil => [TREFOIL_TUBE, TAU / 4.0],
+            // It touches at (x, y, -z), 2 |z| away: see below.
+            Surface::Ellipsoid => {
+                let [a, b, c] = HALF_AXES.map(|half| half * half);
+                let radius = length([x * c / a, y * c / b, z]);
+                [radius, (z.abs() / radius).min(1.0).asin()]
+            }
         }
     }
 
@@ -328,16 +343,16 @@ fn certified(surface: Surface, samples: &[Point], epsilon: f64) -> Option<[f64; 
     Some(found)
 }
 
-/// The inner axis with the default thresholds, and how many umbrellas are no disks. A facet is inner if all its corners, the Voronoi vertices,
+/// The inner axis with the default thresholds, and all that was calculated. A facet is inner if all its corners, the Voronoi vertices,
 /// are: flat cells that span the outside of a bend have their barycentres inside, and their Voronoi vertices far outside.
-fn inner_axis(rows: &[Point], is_inside: &dyn Fn(&[Point]) -> Vec<bool>) -> (Complex, usize) {
+fn inner_axis(rows: &[Point], is_inside: &dyn Fn(&[Point]) -> Vec<bool>) -> (Complex, Medial) {
     let job = Job::default();
     let points = Arc::new(Points::new(rows, PointsOptions::default(), &job).unwrap());
     let t = Arc::new(Triangulation::delaunay(&points, &job).unwrap());
     let dual = Arc::new(Dual::new(&t, DualOptions { facets: true }, &job).unwrap());
     let labels = Arc::new(Labels::new(&t, is_inside(dual.centers())).unwrap());
     let medial = Medial::new(&dual, Some(&labels), Default::default(), &job).unwrap();
-    (medial.axis(&MedialFilter::default(), &job).unwrap(), medial.umbrellas().torn_count())
+    (medial.axis(&MedialFilter::default(), &job).unwrap(), medial)
 }
 
 /// Whether points lie inside, by a function that is negative there.
@@ -354,6 +369,36 @@ fn print(fields: &[String]) {
     println!("{}", fields.join("\t"));
 }
 
+/// The part of the axis of which the paper proves that it converges (definition 4): what the angle condition chooses, and of the rest facets whose edge
+/// p q is at least epsilon^(1/4) times as long as the inner ball's radius at p, where the medial angle is more than epsilon^(1/3).
+fn proved(surface: Surface, epsilon: f64, axis: &Complex, medial: &Medial) -> Complex {
+    let numbers = |name| match axis.attribute(Element::Face, name).unwrap().values() {
+        Values::U32(values) => values,
+        Values::F64(_) => unreachable!(),
+    };
+    let (conditions, facets) = (numbers("condition"), numbers("facet"));
+    let dual = medial.dual();
+    let is_proved = |face: usize| {
+        if conditions[face] & 1 == 1 {
+            return true;
+        }
+        let facet = facets[face] as usize;
+        let ends = dual.facets().unwrap().edges()[facet];
+        let [p, q] = ends.map(|v| dual.triangulation().coords()[v as usize]);
+        [p, q].into_iter().zip(medial.ratios()[facet]).any(|(end, ratio)| {
+            let [radius, angle] = surface.inner_ball(end);
+            let is_long = distance(p, q) >= epsilon.powf(0.25) * radius;
+            ratio > MedialFilter::default().rho && is_long && angle > epsilon.cbrt()
+        })
+    };
+    let mut faces = Rows::default();
+    for (_, ring) in axis.faces().iter().enumerate().filter(|&(face, _)| is_proved(face)) {
+        faces.push(ring).unwrap();
+    }
+    let vertices = axis.vertices().to_vec();
+    Complex::new(ComplexParts { vertices, faces, ..Default::default() }).unwrap()
+}
+
 fn convergence(epsilons: &[f64]) {
     for surface in Surface::ALL {
         let exact = surface.axis();
@@ -361,14 +406,21 @@ fn convergence(epsilons: &[f64]) {
         for &epsilon in epsilons {
             let rows = samples(surface, epsilon);
             let [bound, seen] = certified(surface, &rows, epsilon).expect("an epsilon-sample");
-            let (axis, torn) = inner_axis(&rows, &by_value(|p| surface.shape().value(p)));
-            let found = distances(&axis, &exact);
-            let parts = [found.a_to_b, found.b_to_a].map(|d| [d.max / diagonal, d.mean / diagonal]);
-            let [[to, to_mean], [from, from_mean]] = parts;
-            let numbers = [epsilon, bound, seen, to, to_mean, from, from_mean];
+            let is_inside = by_value(|p| surface.shape().value(p));
+            let (axis, medial) = inner_axis(&rows, &is_inside);
+            let part = proved(surface, epsilon, &axis, &medial);
+            let torn = medial.umbrellas().torn_count();
+            drop(medial);
             let mut fields = vec!["smooth".into(), surface.shape().name().into()];
-            fields.extend([rows.len(), axis.faces().len(), torn].map(|n| n.to_string()));
-            fields.extend(numbers.map(|x| format!("{x:.6e}")));
+            let counts = [rows.len(), axis.faces().len(), part.faces().len(), torn];
+            fields.extend(counts.map(|n| n.to_string()));
+            fields.extend([epsilon, bound, seen].map(|x| format!("{x:.9e}")));
+            for axis in [axis, part] {
+                let found = distances(&axis, &exact);
+                for part in [found.a_to_b, found.b_to_a] {
+                    fields.extend([part.max, part.mean].map(|x| format!("{:.6e}", x / diagonal)));
+                }
+            }
             print(&fields);
         }
     }
@@ -459,7 +511,8 @@ fn degenerate() {
             ),
         ];
         for (name, rows, diagonal, exact, value) in cases {
-            let (axis, torn) = inner_axis(&rows, &by_value(value));
+            let (axis, medial) = inner_axis(&rows, &by_value(value));
+            let torn = medial.umbrellas().torn_count();
             let mut fields = vec!["degenerate".into(), name.to_string()];
             fields.extend([rows.len(), axis.faces().len(), torn].map(|n| n.to_string()));
             if axis.faces().is_empty() {
