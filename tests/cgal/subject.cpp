@@ -116,7 +116,7 @@ Axis medial(const std::vector<Point>& samples, double theta, double rho) {
     };
     const auto points = medax::Points::from(samples);
     const medax::Job delaunay(one_thread), filtering(one_thread);
-    const auto triangulation = medax::Triangulation::delaunay(points, delaunay);
+    const auto triangulation = medax::Triangulation::delaunay(points, {}, delaunay);
     medax::DualOptions with_facets;
     with_facets.facets = 1;
     const auto dual = medax::Dual::of(triangulation, with_facets);
@@ -128,8 +128,8 @@ Axis medial(const std::vector<Point>& samples, double theta, double rho) {
     Axis axis;
     axis.vertices = rows<3>(triangulation.coords());
     axis.directions = rows<3>(medax::Poles::of(dual).normals());
-    const auto edges = dual.facet_edges();
-    for (std::uint32_t facet : medial.selected(filter)) axis.edges.push_back({edges[facet][0], edges[facet][1]});
+    const auto edges = rows<2>(dual.facet_edges());
+    for (std::uint32_t facet : medial.selected(filter)) axis.edges.push_back(edges[facet]);
     axis.delaunay_seconds = seconds(delaunay, "triangulate");
     axis.filter_seconds = seconds(filtering, "medial");
     return axis;
