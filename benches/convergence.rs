@@ -426,6 +426,28 @@ fn convergence(epsilons: &[f64]) {
     }
 }
 
+/// What the threshold of the ratio condition leaves of the error, with the densest samples of a tube.
+fn ratios(epsilon: f64) {
+    let surface = Surface::Torus;
+    let rows = samples(surface, epsilon);
+    let (_, medial) = inner_axis(&rows, &by_value(|p| surface.shape().value(p)));
+    for rho in [4.0, 8.0, 16.0, 32.0] {
+        let filter = MedialFilter { rho, ..Default::default() };
+        let axis = medial.axis(&filter, &Job::default()).unwrap();
+        let found = distances(&axis, &surface.axis());
+        let mut fields = vec![
+            "ratio".into(),
+            format!("{epsilon}"),
+            format!("{rho}"),
+            axis.faces().len().to_string(),
+        ];
+        fields.extend(
+            [found.a_to_b.max, found.a_to_b.mean].map(|x| format!("{:.6e}", x / TORUS_TUBE)),
+        );
+        print(&fields);
+    }
+}
+
 /// The signed distance to a box with rounded edges, of half sides `BRICK` plus `ROUND`.
 const BRICK: Point = [0.8, 0.55, 0.3];
 const ROUND: f64 = 0.2;
@@ -620,7 +642,9 @@ fn main() {
     let words: Vec<String> =
         std::env::args().skip(1).filter(|word| !word.starts_with("--")).collect();
     let quick = std::env::args().any(|word| word == "--quick");
-    convergence(if quick { &EPSILONS[..2] } else { &EPSILONS });
+    let epsilons = if quick { &EPSILONS[..2] } else { &EPSILONS };
+    ratios(epsilons[epsilons.len() - 1]);
+    convergence(epsilons);
     degenerate();
     densities(words.first().map(String::as_str));
 }
