@@ -19,8 +19,9 @@ type Point = [f64; 3];
 
 /// The sampling densities of the table.
 const EPSILONS: [f64; 4] = [0.4, 0.2, 0.1, 0.05];
-/// Segments of the polygons that stand for exact curves. They are off by less than 2e-6.
-const SEGMENTS: usize = 8192;
+/// Segments of the polygons that stand for exact curves, which are off by less than 3e-8; and for the rim of the ellipsoid's disc, off by less than 6e-6.
+const SEGMENTS: usize = 1 << 16;
+const RIM: usize = 1 << 10;
 /// The half axes of the ellipsoid and the tubes' radii, those of `medax::sample`.
 const HALF_AXES: Point = [1.4, 1.0, 0.7];
 const TORUS_TUBE: f64 = 0.4;
@@ -181,7 +182,7 @@ fn curve(at: impl Fn(f64) -> Point) -> Complex {
 /// Triangles of an elliptic disc about the origin, in the plane z = 0.
 fn disc(half: [f64; 2]) -> Complex {
     const RINGS: usize = 40;
-    let segments = SEGMENTS / 8;
+    let segments = RIM;
     let mut vertices = vec![[0.0; 3]];
     for ring in 1..=RINGS {
         let share = ring as f64 / RINGS as f64;
