@@ -9,7 +9,7 @@ COUNTED := --features count-stages --test predicates
 HOST = $(shell rustc -vV | sed -n 's/^host: //p')
 CONFIGURE := cmake -S . -B $(BUILD)/medax
 
-.PHONY: help demo test test-rust test-package bench bench-peers results medial figure3 stress tsan header doc install clean
+.PHONY: help demo test test-rust test-package bench bench-peers results medial figure3 convergence stress tsan header doc install clean
 .DEFAULT_GOAL := help
 
 help:
@@ -20,6 +20,7 @@ help:
 	@echo 'make results           power crusts of real models against what is known of them: docs/results.md'
 	@echo 'make medial            medial axes of real models, tables and pictures: docs/medial.md; needs pyvista'
 	@echo 'make figure3           seconds against the number of samples, to 4,000,000: docs/scaling.md; takes 14 GB'
+	@echo 'make convergence       medial axes against exact ones where samples grow dense: docs/convergence.md'
 	@echo 'make stress            triangulations of a million points checked, and fifty builds compared'
 	@echo 'make tsan              the threads of triangulations under ThreadSanitizer'
 	@echo 'make install PREFIX=   the library, its headers and packages, the program'
@@ -89,6 +90,12 @@ medial:
 figure3:
 	cargo build --release --locked
 	python3 benches/figure3.py target/release/medax docs
+
+# Minutes; half of it is measuring distances.
+convergence:
+	cargo bench --locked --bench convergence -- $(abspath $(MODELS)) > convergence.part
+	python3 benches/convergence.py convergence.part docs
+	rm convergence.part
 
 # Minutes, and some gigabytes.
 stress:

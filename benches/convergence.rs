@@ -19,8 +19,9 @@ type Point = [f64; 3];
 
 /// The sampling densities of the table.
 const EPSILONS: [f64; 4] = [0.4, 0.2, 0.1, 0.05];
-/// Segments of the polygons that stand for exact curves. They are off by less than 2e-6.
-const SEGMENTS: usize = 8192;
+/// Segments of the polygons that stand for exact curves, which are off by less than 3e-8; and for the rim of the ellipsoid's disc, off by less than 6e-6.
+const SEGMENTS: usize = 1 << 16;
+const RIM: usize = 1 << 10;
 /// The half axes of the ellipsoid and the tubes' radii, those of `medax::sample`.
 const HALF_AXES: Point = [1.4, 1.0, 0.7];
 const TORUS_TUBE: f64 = 0.4;
@@ -181,7 +182,7 @@ fn curve(at: impl Fn(f64) -> Point) -> Complex {
 /// Triangles of an elliptic disc about the origin, in the plane z = 0.
 fn disc(half: [f64; 2]) -> Complex {
     const RINGS: usize = 40;
-    let segments = SEGMENTS / 8;
+    let segments = RIM;
     let mut vertices = vec![[0.0; 3]];
     for ring in 1..=RINGS {
         let share = ring as f64 / RINGS as f64;
@@ -426,6 +427,28 @@ fn convergence(epsilons: &[f64]) {
     }
 }
 
+/// What the threshold of the ratio condition leaves of the error, with the densest samples of a tube.
+fn ratios(epsilon: f64) {
+    let surface = Surface::Torus;
+    let rows = samples(surface, epsilon);
+    let (_, medial) = inner_axis(&rows, &by_value(|p| surface.shape().value(p)));
+    for rho in [4.0, 8.0, 16.0, 32.0] {
+        let filter = MedialFilter { rho, ..Default::default() };
+        let axis = medial.axis(&filter, &Job::default()).unwrap();
+        let found = distances(&axis, &surface.axis());
+        let mut fields = vec![
+            "ratio".into(),
+            format!("{epsilon}"),
+            format!("{rho}"),
+            axis.faces().len().to_string(),
+        ];
+        fields.extend(
+            [found.a_to_b.max, found.a_to_b.mean].map(|x| format!("{:.6e}", x / TORUS_TUBE)),
+        );
+        print(&fields);
+    }
+}
+
 /// The signed distance to a box with rounded edges, of half sides `BRICK` plus `ROUND`.
 const BRICK: Point = [0.8, 0.55, 0.3];
 const ROUND: f64 = 0.2;
@@ -620,7 +643,9 @@ fn main() {
     let words: Vec<String> =
         std::env::args().skip(1).filter(|word| !word.starts_with("--")).collect();
     let quick = std::env::args().any(|word| word == "--quick");
-    convergence(if quick { &EPSILONS[..2] } else { &EPSILONS });
+    let epsilons = if quick { &EPSILONS[..2] } else { &EPSILONS };
+    ratios(epsilons[epsilons.len() - 1]);
+    convergence(epsilons);
     degenerate();
     densities(words.first().map(String::as_str));
 }

@@ -19,9 +19,9 @@ use crate::vector::dot;
 /// they ascend.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Umbrellas {
-    offsets: Vec<u32>,
-    rims: Vec<[u32; 2]>,
-    is_disk: Vec<bool>,
+    pub(super) offsets: Vec<u32>,
+    pub(super) rims: Vec<[u32; 2]>,
+    pub(super) is_disk: Vec<bool>,
 }
 
 impl Umbrellas {

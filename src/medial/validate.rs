@@ -2,6 +2,7 @@
 
 use super::Medial;
 use crate::error::{ElementKind, Result};
+use crate::index::NONE;
 use crate::job::{Job, Run, Stage};
 use crate::poles::is_opposite;
 use crate::validation::Validation;
@@ -10,13 +11,16 @@ use crate::vector::{cross, dot, length, sub, unit};
 impl Medial {
     /// Checks umbrellas and conditions from the other side than they were made: round each Voronoi facet, whose polygon a tangent plane must
     /// cut twice or not at all, the triangles of the umbrellas of the dual edge's ends are found again, and the
-    /// conditions from these; disks are checked by Euler's formula. Errors: those of the job. Cost: O(size of the dual).
+    /// conditions from these; disks are followed round. No Voronoi vertex of a sample may be farther than its pole; cells of one Voronoi vertex have one
+    /// centre and one scale; and no corner of a facet is outside its reach. Errors: those of the job. Cost: O(size of the dual).
     pub fn validate(&self, job: &Job) -> Result<Validation> {
         job.run(&[(Stage::Validate, 1.0)], |run| {
             run.enter(Stage::Validate)?;
             let mut report = Validation::new();
             self.check_facets(&mut report, run)?;
             self.check_disks(&mut report, run)?;
+            self.check_cells(&mut report, run)?;
+            self.check_reaches(&mut report, run)?;
             Ok(report)
         })
     }
@@ -68,6 +72,61 @@ impl Medial {
                     format!("from vertex {end} it has {is:?}, not {:?}", (sine, ratio))
                 });
             }
+        }
+        Ok(())
+    }
+
+    fn check_cells(&self, report: &mut Validation, run: &Run<'_>) -> Result<()> {
+        let t = self.dual.triangulation();
+        let radius = |cell: u32| self.dual.radii_squared()[cell as usize];
+        for cell in run.watch(0..t.cells().len()) {
+            let cell = cell?;
+            let corners = t.cells()[cell];
+            for v in corners {
+                let pole = self.poles.cells[v as usize];
+                let right = pole == NONE
+                    || (t.cells()[pole as usize].contains(&v)
+                        && radius(pole) >= radius(cell as u32));
+                report.check(right, ElementKind::Cell, cell as u64, || {
+                    format!("its centre is farther from vertex {v} than the pole")
+                });
+            }
+            let least = self.least_cell[cell] as usize;
+            let same = self.dual.centers()[least] == self.dual.centers()[cell];
+            let scale = |cell: usize| self.scales.get(cell).map(|x| x.to_bits());
+            let right = least <= cell
+                && self.least_cell[least] as usize == least
+                && same
+                && scale(least) == scale(cell);
+            report.check(right, ElementKind::Cell, cell as u64, || {
+                format!("cell {least} has not its Voronoi vertex")
+            });
+        }
+        Ok(())
+    }
+
+    fn check_reaches(&self, report: &mut Validation, run: &Run<'_>) -> Result<()> {
+        let facets = self.facets()?;
+        let coords = self.dual.triangulation().coords();
+        for facet in run.watch(0..facets.len()) {
+            let facet = facet?;
+            let [p, q] = facets.edges()[facet].map(|v| coords[v as usize]);
+            let middle = [0, 1, 2].map(|k| p[k] / 2.0 + q[k] / 2.0);
+            let [nearest, farthest] = self.reaches[facet];
+            let corners = facets.ring(facet).iter();
+            let distances =
+                corners.map(|&cell| length(sub(self.dual.centers()[cell as usize], middle)));
+            let (least, most) =
+                distances.fold((f64::INFINITY, 0.0), |(a, b): (f64, f64), x| (a.min(x), b.max(x)));
+            let end = if facets.is_unbounded(facet) { f64::INFINITY } else { most };
+            let right = nearest >= 0.0 && nearest <= least && near(farthest, end);
+            report.check(right, ElementKind::Edge, facet as u64, || {
+                format!(
+                    "its reach is {:?}, its corners {:?} away",
+                    [nearest, farthest],
+                    [least, most]
+                )
+            });
         }
         Ok(())
     }
@@ -125,5 +184,87 @@ impl Medial {
 
 /// Whether two numbers agree but for rounding. Needles lose digits.
 fn near(a: f64, b: f64) -> bool {
-    a == b || (a - b).abs() <= 1e-6 * a.abs().max(b.abs()).max(1e-6)
+    let size = a.abs().max(b.abs());
+    a == b || (size.is_finite() && (a - b).abs() <= 1e-6 * size.max(1e-6))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dual::{Dual, DualOptions};
+    use crate::medial::MedialOptions;
+    use crate::sample::{SampleOptions, Shape, sample};
+    use crate::{Points, Triangulation};
+    use std::sync::Arc;
+
+    fn medial() -> Medial {
+        let job = Job::default();
+        let options = SampleOptions { spacing: 0.25, ..Default::default() };
+        let rows = sample(Shape::Torus, options, &job).unwrap().points().to_vec();
+        let points = Arc::new(Points::new(&rows, Default::default(), &job).unwrap());
+        let t = Arc::new(Triangulation::delaunay(&points, &job).unwrap());
+        let dual = Arc::new(Dual::new(&t, DualOptions { facets: true }, &job).unwrap());
+        let options = MedialOptions { scales: true, ..Default::default() };
+        Medial::new(&dual, None, options, &job).unwrap()
+    }
+
+    fn is_valid(medial: &Medial) -> bool {
+        medial.validate(&Job::default()).unwrap().is_valid()
+    }
+
+    /// Whether each of some changes is noticed, every one made to a sound structure.
+    fn all_noticed(count: usize, change: impl Fn(&mut Medial, usize)) {
+        let sound = medial();
+        assert!(is_valid(&sound) && count > 0);
+        for i in 0..count {
+            let mut broken = sound.clone();
+            change(&mut broken, i);
+            assert!(!is_valid(&broken), "change {i}");
+        }
+    }
+
+    #[test]
+    fn another_condition_is_noticed() {
+        all_noticed(40, |medial, i| {
+            let sine = &mut medial.conditions.sines[29 * i][i % 2];
+            *sine = if *sine < 0.0 { 0.5 } else { f64::NEG_INFINITY };
+        });
+        all_noticed(40, |medial, i| {
+            let ratio = &mut medial.conditions.ratios[23 * i][i % 2];
+            *ratio = if *ratio < 0.0 { 2.0 } else { 1.001 * *ratio };
+        });
+    }
+
+    #[test]
+    fn another_umbrella_is_noticed() {
+        all_noticed(40, |medial, i| {
+            let vertices = medial.umbrellas.is_disk.len() as u32;
+            let end = &mut medial.umbrellas.rims[19 * i][i % 2];
+            *end = (*end + 1) % vertices;
+        });
+        // A triangle too few, in the umbrella of one sample.
+        all_noticed(20, |medial, i| {
+            let end = medial.umbrellas.offsets[7 * i + 1] as usize;
+            medial.umbrellas.rims.remove(end - 1);
+            medial.umbrellas.offsets[7 * i + 1..].iter_mut().for_each(|offset| *offset -= 1);
+        });
+        all_noticed(20, |medial, i| medial.umbrellas.is_disk[5 * i] ^= true);
+    }
+
+    #[test]
+    fn another_pole_or_scale_or_reach_is_noticed() {
+        all_noticed(20, |medial, i| {
+            // A vertex within the hull, and a lesser one of its cells.
+            let inner = (0..medial.poles.cells.len()).filter(|&v| medial.poles.cells[v] != NONE);
+            let v = inner.cycle().nth(3 * i).unwrap();
+            let cells = medial.dual.triangulation().cells().iter();
+            let radius = |cell: usize| medial.dual.radii_squared()[cell];
+            let of_v = cells.enumerate().filter(|(_, corners)| corners.contains(&(v as u32)));
+            let least = of_v.min_by(|a, b| radius(a.0).total_cmp(&radius(b.0))).unwrap().0;
+            medial.poles.cells[v] = least as u32;
+        });
+        all_noticed(20, |medial, i| medial.least_cell[11 * i + 1] = 0);
+        all_noticed(20, |medial, i| medial.reaches[13 * i][i % 2] = 123.0);
+        all_noticed(20, |medial, i| medial.reaches[13 * i][0] -= 100.0);
+    }
 }
