@@ -87,7 +87,7 @@ def main():
     add = page.append
     add("# Convergence of MEDIAL\n")
     add("How near the inner medial axis that `Medial` takes from the Voronoi diagram (Dey, Zhao 2004) comes to the exact one, with the paper's thresholds, pi/8 and 8,")
-    add("for all. `make convergence` makes this page and its plot; the exact axes and local feature sizes are derived in `benches/convergence.rs`.\n")
+    add("for all. `make convergence` makes this page and its plot; the exact axes and local feature sizes are derived in `benches/convergence/`.\n")
     add("## Smooth shapes\n")
     add("The torus has a core circle of radius 1 and a tube of radius 0.4; its inner axis is the circle. The ellipsoid has half axes 1.4, 1 and 0.7; its axis is an elliptic disc.")
     add("The trefoil tube has a radius of 0.3; its axis is the knot. Samples are random, jittered, and up to 1 / 0.6 times as dense in some places as in others, beyond what the")
