@@ -2,6 +2,7 @@
 
 #![cfg(feature = "program")]
 
+mod axes;
 mod process;
 mod refusals;
 mod results;

@@ -19,6 +19,8 @@ fn every_command_answers_with_the_schema() {
         ("triangulate torus.ply -o cells.vtu", "triangulate"),
         ("poles torus.ply -o poles.ply --normals normals.ply", "poles"),
         ("crust torus.ply -o crust.off --shape axis.vtu --poles balls.ma", "crust"),
+        ("cocone torus.ply -o cocone.ply", "cocone"),
+        ("medial torus.ply -o medial.ply", "medial"),
         ("info torus.ply", "info"),
         ("info crust.ply", "info"),
         ("compare torus.ply crust.ply --samples 100", "compare"),

@@ -1,0 +1,105 @@
+//! `medax medial` and `medax cocone`: what they say and write.
+
+use crate::Place;
+use medax::complex::{Complex, Element, Values};
+use medax::sample::Shape;
+use medax::{Job, io};
+use serde_json::json;
+
+fn numbers(complex: &Complex, element: Element, name: &str) -> Vec<u32> {
+    match complex.attribute(element, name).unwrap().values() {
+        Values::U32(values) => values.clone(),
+        Values::F64(_) => panic!("{name} has floats"),
+    }
+}
+
+#[test]
+fn the_axis_of_a_torus_is_a_ring_and_its_surface_is_closed() {
+    let place = Place::new();
+    place.shape(Shape::Torus, "torus.ply");
+    let cocone = place.json("cocone torus.ply -o surface.ply --validate");
+    let topology = &cocone["outputs"][0]["topology"];
+    assert_eq!((&topology["genus"], &topology["closed"]), (&json!(1), &json!(true)));
+    assert_eq!(
+        (&cocone["cocone"]["used_share"], &cocone["cocone"]["undersampled"]),
+        (&json!(1.0), &json!(0))
+    );
+    let open = place.json("cocone torus.ply --cocone-only");
+    assert_eq!(open["outputs"][0]["topology"]["genus"], 1);
+
+    let report = place.json("medial torus.ply -o axis.vtu --validate --compare-labels");
+    assert_eq!(report["outputs"][0]["topology"]["betti"][0], 1);
+    assert_eq!(report["medial"]["torn_umbrellas"], 0);
+    assert_eq!(report["medial"]["selected"], report["counts"]["faces"]);
+    let labels = &report["labels"];
+    let cells = report["counts"]["cells"].as_u64().unwrap();
+    assert_eq!(labels["inner"].as_u64().unwrap() + labels["outer"].as_u64().unwrap(), cells);
+    assert!(labels["disagreement"]["crust"].as_u64().unwrap() < cells / 20);
+    // Sides: the inner and the outer axis, and what crosses the surface, are all.
+    let count = |options: &str| {
+        let report = place.json(&format!("medial torus.ply {options}"));
+        report["counts"]["faces"].as_u64().unwrap()
+    };
+    let inner = count("");
+    assert_eq!(inner, report["counts"]["faces"]);
+    assert!(count("--side outer") > 0 && inner + count("--side outer") <= count("--side both"));
+    // Thresholds only take away.
+    for options in [
+        "--theta-degrees 60 --rho 1e9",
+        "--rule ratio",
+        "--rule angle",
+        "--lambda 0.3",
+        "--object-degrees 100",
+        "--scale 2",
+    ] {
+        assert!(count(options) <= inner, "{options}");
+    }
+    assert!(count("--rule none") > inner);
+    // Other labels tell nearly the same.
+    for options in ["--labels crust", "--label-mesh surface.ply"] {
+        let other = count(options);
+        assert!(other.abs_diff(inner) < inner / 10, "{options}: {other} of {inner}");
+    }
+    assert!(count("--mesh-normals") > 0);
+}
+
+#[test]
+fn a_box_keeps_unbounded_facets_and_cuts_them() {
+    let place = Place::new();
+    place.shape(Shape::Torus, "torus.ply");
+    let without = place.json("medial torus.ply --side outer");
+    place.json("medial torus.ply --side outer --clip 0.1 -o outer.ply");
+    let axis = io::read_complex(place.path("outer.ply"), &Job::default()).unwrap();
+    assert!(axis.faces().len() as u64 > without["counts"]["faces"].as_u64().unwrap() / 4);
+    // The diagonal of the torus' box is 2 sqrt(2 * 1.4^2 + 0.4^2).
+    let margin = 0.1 * 2.0 * (2.0f64 * 1.4 * 1.4 + 0.4 * 0.4).sqrt();
+    for p in axis.vertices() {
+        let within =
+            p[0].abs().max(p[1].abs()) < 1.4 + margin + 1e-6 && p[2].abs() < 0.4 + margin + 1e-6;
+        assert!(within, "{p:?}");
+    }
+    assert!(numbers(&axis, Element::Vertex, "cell").contains(&u32::MAX));
+    assert!(numbers(&axis, Element::Face, "side").iter().all(|&side| side == 0));
+}
+
+#[test]
+fn a_scale_axis_takes_the_place_of_the_shape() {
+    let place = Place::new();
+    place.shape(Shape::Torus, "torus.ply");
+    let report = place.json("crust torus.ply --shape axis.ply --scale-axis 1.1");
+    assert_eq!(report["outputs"][1]["name"], "inner scale axis");
+    assert_eq!(report["outputs"][1]["topology"]["betti"], json!([1, 1, 0]));
+    for (arguments, code) in [
+        ("crust torus.ply --shape a.ply --scale-axis 1.1 --side both", 2),
+        ("crust torus.ply --shape a.ply --scale-axis 0.5", 2),
+        ("crust torus.ply --scale-axis 2", 2),
+        ("medial torus.ply --theta-degrees 90", 2),
+        ("medial torus.ply --rho -1", 2),
+        ("medial torus.ply --clip -1", 2),
+        ("cocone torus.ply --angle-degrees 0", 2),
+        ("cocone torus.ply --ratio nan", 2),
+    ] {
+        place.failure(arguments, code);
+    }
+    assert_eq!(place.names(), ["axis.ply", "torus.ply"]);
+}
