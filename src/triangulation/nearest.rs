@@ -2,6 +2,11 @@
 
 use super::{Incidence, Triangulation};
 use crate::vector::{dot, sub};
+use num_bigint::BigInt;
+use std::cmp::Ordering;
+
+/// The unit of rounding, 2^-53.
+const UNIT: f64 = f64::EPSILON / 2.0;
 
 /// Goes from vertex to vertex of a triangulation, each of less power than the one before, to the vertex whose cell of the
 /// power diagram, or Voronoi cell, holds a point.
@@ -16,24 +21,22 @@ impl<'a> Descent<'a> {
         Descent { triangulation, incidence }
     }
 
-    /// The vertex of least power at a point, beginning at another one that is not hidden: where none of its neighbours has less no
-    /// vertex has, since the cells of the diagram are convex. Powers are rounded. Cost: O(way).
+    /// The vertex of least power at a point, of several the least, beginning at another one that is not hidden: where none of its
+    /// neighbours has less no vertex has, since the cells of the diagram are convex. Powers are compared exactly. Cost: O(way).
     pub fn nearest(&self, at: [f64; 3], from: u32) -> u32 {
         let t = self.triangulation;
-        let power = |vertex: u32| {
-            let [x, y, z, weight] = t.site(vertex);
-            let to = sub([x, y, z], at);
-            dot(to, to) - weight
-        };
-        let (mut here, mut least) = (from, power(from));
+        let mut here = from;
         loop {
             let mut next = here;
             for &cell in self.incidence.cells_of(here) {
                 for vertex in t.cells()[cell as usize] {
-                    let power = power(vertex);
-                    // Of equal ones the least vertex.
-                    if power < least || (power == least && vertex < next) {
-                        (next, least) = (vertex, power);
+                    if vertex == next {
+                        continue;
+                    }
+                    match power_order(at, t.site(vertex), t.site(next)) {
+                        Ordering::Less => next = vertex,
+                        Ordering::Equal => next = next.min(vertex),
+                        Ordering::Greater => {}
                     }
                 }
             }
@@ -42,5 +45,65 @@ impl<'a> Descent<'a> {
             }
             here = next;
         }
+    }
+}
+
+/// The order of the powers of a point to two balls, given as centres and weights.
+fn power_order(at: [f64; 3], p: [f64; 4], q: [f64; 4]) -> Ordering {
+    let power = |[x, y, z, weight]: [f64; 4]| {
+        let to = sub([x, y, z], at);
+        let square = dot(to, to);
+        // Seven roundings at most, each of what is no larger than the sum.
+        (square - weight, 8.0 * UNIT * (square + weight.abs()))
+    };
+    let ((a, a_error), (b, b_error)) = (power(p), power(q));
+    // What overflows is decided exactly, as what is too close.
+    if (a - b).abs() > 1.01 * (a_error + b_error) + f64::MIN_POSITIVE {
+        return a.total_cmp(&b);
+    }
+    exact_power_order(at, p, q)
+}
+
+#[cold]
+fn exact_power_order(at: [f64; 3], p: [f64; 4], q: [f64; 4]) -> Ordering {
+    let coordinates = at.iter().chain(&p[..3]).chain(&q[..3]).map(|&x| decode(x).1);
+    let weights = [p[3], q[3]].map(|w| decode(w).1.div_euclid(2));
+    let unit = coordinates.chain(weights).min().unwrap_or(0).min(0);
+    let integer = |x: f64, unit: i32| {
+        let (mantissa, exponent) = decode(x);
+        BigInt::from(mantissa) << (exponent - unit).max(0) as usize
+    };
+    let power = |ball: [f64; 4]| {
+        let to = |k: usize| integer(ball[k], unit) - integer(at[k], unit);
+        (0..3).map(|k| to(k) * to(k)).sum::<BigInt>() - integer(ball[3], 2 * unit)
+    };
+    power(p).cmp(&power(q))
+}
+
+/// The mantissa and the exponent of a finite float; an exponent of 0 for 0.
+fn decode(x: f64) -> (i64, i32) {
+    let biased = (x.to_bits() >> 52 & 0x7ff) as i32;
+    let fraction = (x.to_bits() & ((1 << 52) - 1)) as i64;
+    let mantissa = if biased == 0 { fraction } else { fraction | 1 << 52 };
+    let sign = if x < 0.0 { -1 } else { 1 };
+    if mantissa == 0 { (0, 0) } else { (sign * mantissa, biased.max(1) - 1075) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Ordering, power_order};
+
+    #[test]
+    fn powers_that_rounding_makes_equal_are_told_apart() {
+        let far = 1e8;
+        let ball = |x: f64, weight: f64| [x, 0.0, 0.0, weight];
+        let order = |p, q| power_order([0.0; 3], p, q);
+        assert_eq!(order(ball(far, 0.0), ball(far, 0.5)), Ordering::Greater);
+        assert_eq!(order(ball(far, 0.5), ball(far, 0.0)), Ordering::Less);
+        assert_eq!(order(ball(far, 0.5), ball(-far, 0.5)), Ordering::Equal);
+        // (1 + u)^2 - 2u is more than 1 by u^2, which no float of that size shows.
+        let u = f64::EPSILON;
+        assert_eq!(order(ball(1.0 + u, 2.0 * u), ball(1.0, 0.0)), Ordering::Greater);
+        assert_eq!(order(ball(3.0, 5.0), ball(1.0, 0.0)), Ordering::Greater);
     }
 }

@@ -43,6 +43,10 @@ std::string wrong_crust(const subject::Crust& medax, bool round_poles) {
     for (std::uint32_t p = 0; p < visible.size(); ++p)
         if (!visible[p]) hidden.push_back(p);
     if (hidden != regular.hidden) return "the hidden poles differ";
+    balls.sites = weighted.centres;
+    balls.weights = weighted.weights;
+    balls.rank.assign(visible.size(), none);
+    for (std::uint32_t v = 0; v < medax.pole_of_vertex.size(); ++v) balls.rank[medax.pole_of_vertex[v]] = v;
 
     const reference::Crust crust = reference::power_crust(balls, regular, 0.4);
     std::size_t differing = 0;

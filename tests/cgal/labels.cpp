@@ -1,13 +1,18 @@
 #include "labels.hpp"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace reference {
 namespace {
 
-using Edge = std::array<std::uint32_t, 2>;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+Kernel::Point_3 point(const Point& p) { return {p[0], p[1], p[2]}; }
 
 double squared_distance(const Point& p, const Point& q) {
     double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
@@ -72,6 +77,36 @@ private:
     std::set<std::pair<double, std::uint32_t>> queue;  // the greatest priority first, then the least ball
 };
 
+// The ball that hides each hidden one: the heaviest at its place, or if that is itself the one of least power there.
+std::vector<Edge> hiding(const Balls& balls, const Triangulation& regular) {
+    const std::size_t count = balls.sites.size();
+    std::vector<bool> hidden(count);
+    for (std::uint32_t p : regular.hidden) hidden[p] = true;
+    std::map<Point, std::uint32_t> heaviest;
+    for (std::uint32_t p = 0; p < count; ++p) {
+        const auto [place, is_new] = heaviest.try_emplace(balls.sites[p], p);
+        if (!is_new && balls.weights[p] > balls.weights[place->second]) place->second = p;
+    }
+    std::vector<Edge> links;
+    for (std::uint32_t p : regular.hidden) {
+        std::uint32_t nearest = heaviest.at(balls.sites[p]);
+        if (nearest == p) {
+            nearest = none;
+            const Kernel::Point_3 at = point(balls.sites[p]);
+            for (std::uint32_t q = 0; q < count; ++q) {
+                if (hidden[q]) continue;
+                const auto order = nearest == none ? CGAL::SMALLER
+                                                   : Kernel().compare_power_distance_3_object()(
+                                                         at, Kernel::Weighted_point_3(point(balls.sites[q]), balls.weights[q]),
+                                                         Kernel::Weighted_point_3(point(balls.sites[nearest]), balls.weights[nearest]));
+                if (order == CGAL::SMALLER || (order == CGAL::EQUAL && balls.rank[q] < balls.rank[nearest])) nearest = q;
+            }
+        }
+        links.push_back({p, nearest});
+    }
+    return links;
+}
+
 }  // namespace
 
 Crust power_crust(const Balls& balls, const Triangulation& regular, double deep) {
@@ -82,7 +117,9 @@ Crust power_crust(const Balls& balls, const Triangulation& regular, double deep)
     const std::size_t count = balls.centres.size();
     std::vector<std::vector<Link>> same(count), opposite(count);
     const std::vector<Edge> edges = edges_of(regular.cells);
-    for (const auto& [p, q] : edges) {
+    std::vector<Edge> meeting = edges;
+    for (const Edge& link : hiding(balls, regular)) meeting.push_back(link);
+    for (const auto& [p, q] : meeting) {
         const double r = balls.radii[p], t = balls.radii[q];
         double cosine = (r * r + t * t - squared_distance(balls.centres[p], balls.centres[q])) / (2 * r * t);
         double weight = std::clamp(cosine, -1.0, 1.0);

@@ -15,6 +15,10 @@ struct Balls {
     std::vector<Point> samples;
     std::vector<std::array<std::uint32_t, 2>> pole_of_sample;  // rows of balls, or none
     std::vector<bool> seed;                                    // touches a corner of the far box
+    // What the regular triangulation is of: the centres, or what they were rounded to, and the weights.
+    std::vector<Point> sites;
+    std::vector<double> weights;
+    std::vector<std::uint32_t> rank;  // of sites of one power the least counts
 };
 
 struct Crust {
