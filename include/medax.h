@@ -2671,9 +2671,9 @@ MEDAX_API void medax_cocone_free(const medax_cocone *cocone);
  */
 MEDAX_API
 medax_status medax_labels_create(const medax_triangulation *triangulation,
-                              const uint8_t *is_inner,
-                              size_t count,
-                              const medax_labels **out_labels);
+                                 const uint8_t *is_inner,
+                                 size_t count,
+                                 const medax_labels **out_labels);
 
 /**
  * Labels from Tight Cocone: the cells that its watertight surface encloses are inner.
@@ -3002,8 +3002,9 @@ medax_status medax_medial_build(const medax_dual *dual,
 /**
  * The axis: the Voronoi facets that a filter lets pass, with their edges and vertices, as convex polygons.
  *
- * Vertices are Voronoi vertices, one for all cells that share a sphere, and carry `cell`, the least of these, `radius`, that of
- * the ball round them through their samples, and `scale` if scales were calculated. Faces are in the order of #medax_dual_facets
+ * Vertices are Voronoi vertices, one for all cells that share a sphere, and carry `cell`, the least of these, or `MEDAX_NONE` where
+ * a box has cut, `radius`, that of the ball round them through their samples, and `scale`, NaN where a box has cut, if scales were
+ * calculated. Faces are in the order of #medax_dual_facets
  * and turn counterclockwise as seen from the second sample; they carry `facet`, `samples` (the two ends of the dual edge),
  * `condition` (1 the angle condition, 2 the ratio condition, 3 both, 0 neither), `object_angle` (the least and the largest on the
  * face, in radians), `lambda` (half the length of the dual edge) and `side` (a #medax_side; `MEDAX_SIDE_BOTH` for one that crosses
