@@ -60,7 +60,11 @@ fn the_axis_of_a_torus_is_a_ring_and_its_surface_is_closed() {
         let other = count(options);
         assert!(other.abs_diff(inner) < inner / 10, "{options}: {other} of {inner}");
     }
-    assert!(count("--mesh-normals") > 0);
+    // Normals need faces.
+    let by_normals = place.json("medial surface.ply --mesh-normals");
+    let by_normals = by_normals["counts"]["faces"].as_u64().unwrap();
+    assert!(by_normals.abs_diff(inner) < inner / 4, "{by_normals} of {inner}");
+    assert_eq!(place.failure("medial torus.ply --mesh-normals", 1)["path"], "torus.ply");
 }
 
 #[test]

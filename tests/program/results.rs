@@ -69,8 +69,16 @@ fn every_command_answers_with_the_schema() {
             assert_eq!(output["topology"]["betti"].as_array().unwrap().len(), 3);
         }
     }
-    let written = ["axis.vtu", "balls.ma", "capsule.xyz", "cells.vtu", "crust.off", "crust.ply"];
-    let more = ["normals.ply", "poles.ply", "small.ply", "torus.ply", "winding.ply"];
+    let written = ["axis.vtu", "balls.ma", "capsule.xyz", "cells.vtu", "cocone.ply", "crust.off"];
+    let more = [
+        "crust.ply",
+        "medial.ply",
+        "normals.ply",
+        "poles.ply",
+        "small.ply",
+        "torus.ply",
+        "winding.ply",
+    ];
     assert_eq!(place.names(), [&written[..], &more].concat());
 }
 

@@ -5,7 +5,7 @@ use crate::report::{Counts, Report};
 use crate::session::{Failure, OutputOptions, ReadOptions, Session, ValidateOptions};
 use medax::dual::{Dual, DualOptions};
 use medax::medial::{Medial, MedialFilter, MedialOptions, MedialRule, Side};
-use medax::{Complex, Triangulation};
+use medax::{Complex, Error, Status, Triangulation};
 use serde_json::json;
 use std::f64::consts::PI;
 use std::path::PathBuf;
@@ -167,6 +167,10 @@ fn normals(
     vertex_of_row: &[u32],
 ) -> Result<Vec<[f64; 3]>, Failure> {
     let mesh = session.complex(&options.input, soup)?;
+    if mesh.faces().is_empty() {
+        let error = Error::new(Status::InvalidArgument, "there are no faces, and so no normals");
+        return Err(Failure::about(&options.input)(error));
+    }
     let of_rows = mesh.vertex_normals(&session.job).map_err(Failure::about(&options.input))?;
     let count = vertex_of_row.iter().filter(|&&v| v != medax::NONE).max().map_or(0, |&v| v + 1);
     let mut normals = vec![[0.0; 3]; count as usize];
