@@ -53,7 +53,7 @@ pub unsafe extern "C" fn medax_power_crust_offset(
 ///
 /// \param crust The power crust.
 /// \param side A #medax_label.
-/// \param factor The factor, at least 1.
+/// \param factor The factor, at least 1; at 1 itself rounding makes voids without a size at the samples, which lie on the union's boundary.
 /// \param job NULL for a default job.
 /// \param out_axis Receives the axis, which the caller frees with #medax_complex_free.
 /// \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for a factor below 1 or too large, or a number that is no label; `TOO_FEW_POINTS` or `DEGENERATE`

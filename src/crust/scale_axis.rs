@@ -16,7 +16,8 @@ use std::sync::Arc;
 impl PowerCrust {
     /// The scale axis of one side, for a factor of at least 1: the balls of that side grow by the factor, the axis is that of their union, and they
     /// shrink back (Giesen, Miklos, Pauly, Wormser 2009, *The scale axis transform*). What grown balls cover is gone: features that are small beside
-    /// what is near, at any scale. With 1 it is the axis of the union of the balls as they are.
+    /// what is near, at any scale. With 1 it is the axis of the union of the balls as they are:
+    /// samples lie on its boundary then, and rounding makes voids without a size there; a little more than 1 has none.
     ///
     /// The axis of a union of balls is its dual complex (Edelsbrunner 1995, *The union of balls and its dual shape*), with the homotopy type of the
     /// union: the simplices of the balls' regular triangulation whose faces of the power diagram meet the union. Vertices carry `radius` (shrunk back), `pole`,

@@ -86,7 +86,7 @@ static void offsets(const medax_power_crust *crust) {
 
 /* An ellipsoid's inner axis is a disc, at any scale that keeps a ball. */
 static void scale_axes(const medax_power_crust *crust) {
-    const double factors[] = {1, 1.1};
+    const double factors[] = {1.01, 1.1};
     for (size_t i = 0; i < 2; ++i) {
         const medax_complex *axis = NULL;
         medax_topology topology;

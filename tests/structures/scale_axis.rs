@@ -26,7 +26,8 @@ fn radii(axis: &Complex) -> &[f64] {
 #[test]
 fn the_axis_of_a_torus_is_a_circle_until_its_hole_closes() {
     let crust = crust(&torus(), Default::default());
-    for factor in [1.0, 1.3, 2.0] {
+    // At 1 the samples lie on the union's boundary, and rounding makes voids of them.
+    for factor in [1.01, 1.3, 2.0] {
         let axis = axis(&crust, Label::Inner, factor);
         assert_eq!(betti(&axis), [1, 1, 0], "{factor}");
         for (p, radius) in axis.vertices().iter().zip(radii(&axis)) {
@@ -41,21 +42,27 @@ fn the_axis_of_a_torus_is_a_circle_until_its_hole_closes() {
 #[test]
 fn a_small_ball_goes_when_the_large_one_beside_it_covers_it() {
     let mut random = Random(5);
-    let mut rows: Vec<[f64; 3]> = (0..2000).map(|_| random.sphere()).collect();
-    // Covered where s >= 1.25 + 0.2 s: from 1.5625 on; they touch from 1.25 / 1.2 on.
-    rows.extend(
-        (0..400).map(|_| random.sphere()).map(|[x, y, z]| [1.25 + 0.2 * x, 0.2 * y, 0.2 * z]),
-    );
+    // Stirred: all balls of an exact sphere are one but for rounding, which then decides how they hang together.
+    let mut stirred = |size: f64| {
+        let radius = size * (1.0 + 0.02 * random.unit());
+        random.sphere().map(|x| radius * x)
+    };
+    let mut rows: Vec<[f64; 3]> = (0..2000).map(|_| stirred(1.0)).collect();
+    // Covered where s >= 1.5 + 0.2 s: from 1.875 on; they touch from 1.5 / 1.2 on.
+    rows.extend((0..400).map(|_| stirred(0.2)).map(|[x, y, z]| [1.5 + x, y, z]));
     let crust = crust(&rows, Default::default());
     let small = |axis: &Complex| axis.vertices().iter().filter(|p| p[0] > 1.0).count();
-    let apart = axis(&crust, Label::Inner, 1.0);
-    assert!(betti(&apart) == [2, 0, 0] && small(&apart) > 0);
-    let together = axis(&crust, Label::Inner, 1.3);
-    assert!(betti(&together) == [1, 0, 0] && small(&together) > 0);
-    let gone = axis(&crust, Label::Inner, 1.65);
-    assert!(betti(&gone) == [1, 0, 0] && small(&gone) == 0);
+    let apart = axis(&crust, Label::Inner, 1.01);
+    assert_eq!(betti(&apart), [2, 0, 0]);
+    assert!(small(&apart) > 0);
+    let together = axis(&crust, Label::Inner, 1.4);
+    assert_eq!(betti(&together), [1, 0, 0]);
+    assert!(small(&together) > 0);
+    let gone = axis(&crust, Label::Inner, 2.0);
+    assert_eq!(betti(&gone), [1, 0, 0]);
+    assert_eq!(small(&gone), 0);
     // What is left has the radii that it had.
-    assert!(radii(&gone).iter().all(|radius| (radius - 1.0).abs() < 0.05));
+    assert!(radii(&gone).iter().all(|radius| (radius - 1.0).abs() < 0.1));
 }
 
 #[test]
