@@ -20,6 +20,7 @@ use surfaces::{Point, Surface, cross, curve, disc, distance, length};
 
 /// The sampling densities of the table.
 const EPSILONS: [f64; 4] = [0.4, 0.2, 0.1, 0.05];
+
 /// Random numbers (SplitMix64).
 struct Random(u64);
 

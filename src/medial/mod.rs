@@ -98,7 +98,9 @@ impl Medial {
         let incidence = t.incidence_in(run)?;
         let poles = match &options.normals {
             Some(normals) => given(normals, t.coords().len(), &mut room)?,
-            None => FirstPoles::new(dual, &incidence, [0.0, 0.2], &mut room, run)?,
+            None => {
+                FirstPoles::new(dual, t.coords().len(), &incidence, [0.0, 0.2], &mut room, run)?
+            }
         };
         let umbrellas = Umbrellas::new(dual, &incidence, &poles, &mut room, run)?;
         drop(incidence);

@@ -33,15 +33,16 @@ pub(crate) struct FirstPoles {
 }
 
 impl FirstPoles {
-    /// Of the vertices of a Delaunay triangulation, whose cells round each are given.
+    /// Of the first so many vertices of a Delaunay triangulation, whose cells round each are given. The cells of each are looked at in ascending
+    /// order, so that the least of equal ones is kept.
     pub fn new(
         dual: &Dual,
+        samples: usize,
         incidence: &Incidence,
         progress: [f64; 2],
         room: &mut Room<'_>,
         run: &Run<'_>,
     ) -> Result<Self> {
-        let samples = dual.triangulation().coords().len();
         let normals = directions_to_infinity(dual, samples, room, run)?;
         let mut cells = room.filled(samples, NONE)?;
         let chunks = cells.chunks_mut(PART / 8).zip(normals.chunks(PART / 8)).enumerate().collect();
@@ -53,24 +54,17 @@ impl FirstPoles {
                     run.poll()?;
                 }
                 if *normal == [0.0; 3] {
-                    *first = farthest(dual, sample, cells);
+                    for &cell in cells {
+                        if is_farther(dual, sample, cell, *first) {
+                            *first = cell;
+                        }
+                    }
                 }
             }
             Ok(())
         })?;
         Ok(FirstPoles { cells, normals })
     }
-}
-
-/// The cell of the farthest Voronoi vertex of a sample, of equal ones the first; [`NONE`] of none.
-fn farthest(dual: &Dual, sample: usize, cells: &[u32]) -> u32 {
-    let mut first = NONE;
-    for &cell in cells {
-        if is_farther(dual, sample, cell, first) {
-            first = cell;
-        }
-    }
-    first
 }
 
 impl Selection {
@@ -81,26 +75,24 @@ impl Selection {
         room: &mut Room<'_>,
         run: &Run<'_>,
     ) -> Result<Self> {
-        let normals = directions_to_infinity(dual, samples, room, run)?;
-        let (mut first, mut second) = (room.filled(samples, NONE)?, room.filled(samples, NONE)?);
         let incidence = dual.triangulation().incidence_in(run)?;
-        let results = first.chunks_mut(PART / 8).zip(second.chunks_mut(PART / 8));
-        let chunks = results.zip(normals.chunks(PART / 8)).enumerate().collect();
-        run.in_steps(chunks, [0.3, 0.6], |(chunk, ((first, second), normals))| {
-            for (i, normal) in normals.iter().enumerate() {
+        let FirstPoles { cells: first, normals } =
+            FirstPoles::new(dual, samples, &incidence, [0.3, 0.45], room, run)?;
+        let mut second = room.filled(samples, NONE)?;
+        let poles = first.chunks(PART / 8).zip(normals.chunks(PART / 8));
+        let chunks = second.chunks_mut(PART / 8).zip(poles).enumerate().collect();
+        run.in_steps(chunks, [0.45, 0.6], |(chunk, (second, (first, normals)))| {
+            for (i, second) in second.iter_mut().enumerate() {
                 let sample = chunk * (PART / 8) + i;
                 let cells = incidence.cells_of(sample as u32);
                 if i % 64 == 0 || cells.len() > 1024 {
                     run.poll()?;
                 }
-                if *normal == [0.0; 3] {
-                    first[i] = farthest(dual, sample, cells);
-                }
                 for &cell in cells {
-                    if is_farther(dual, sample, cell, second[i])
-                        && is_opposite(dual, sample, cell, first[i], *normal)
+                    if is_farther(dual, sample, cell, *second)
+                        && is_opposite(dual, sample, cell, first[i], normals[i])
                     {
-                        second[i] = cell;
+                        *second = cell;
                     }
                 }
             }

@@ -4,6 +4,7 @@ use crate::flatten::FlattenArguments;
 use crate::omit::OmitOptions;
 use crate::report::{Counts, Report};
 use crate::session::{Failure, OutputOptions, ReadOptions, Session, ValidateOptions};
+use crate::side::Side;
 use crate::sizes::SizeOptions;
 use crate::variants::VariantOptions;
 use medax::crust::{CONFLICT_LIMIT, Label, LabelRule, PowerCrustOptions};
@@ -83,23 +84,6 @@ impl Rule {
             Rule::Auto => (LabelRule::Auto, "auto"),
             Rule::Spread => (LabelRule::Spread, "spread"),
             Rule::LeastConflict => (LabelRule::LeastConflict, "least-conflict"),
-        }
-    }
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum Side {
-    Inner,
-    Outer,
-    Both,
-}
-
-impl Side {
-    fn name(self) -> &'static str {
-        match self {
-            Side::Inner => "inner",
-            Side::Outer => "outer",
-            Side::Both => "both",
         }
     }
 }

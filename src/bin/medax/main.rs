@@ -17,6 +17,7 @@ mod progress;
 mod report;
 mod sample;
 mod session;
+mod side;
 mod sizes;
 mod triangulate;
 mod variants;

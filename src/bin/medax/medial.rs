@@ -3,8 +3,9 @@
 use crate::labels::LabelArguments;
 use crate::report::{Counts, Report};
 use crate::session::{Failure, OutputOptions, ReadOptions, Session, ValidateOptions};
+use crate::side::Side;
 use medax::dual::{Dual, DualOptions};
-use medax::medial::{Medial, MedialFilter, MedialOptions, MedialRule, Side};
+use medax::medial::{self, Medial, MedialFilter, MedialOptions, MedialRule};
 use medax::{Complex, Error, Status, Triangulation};
 use serde_json::json;
 use std::f64::consts::PI;
@@ -21,8 +22,8 @@ pub struct Options {
     #[command(flatten)]
     output: OutputOptions,
     /// The side of the surface whose axis is written; both takes the facets that cross the surface, too
-    #[arg(long, value_enum, default_value_t = SideName::Inner)]
-    side: SideName,
+    #[arg(long, value_enum, default_value_t = Side::Inner)]
+    side: Side,
     #[command(flatten)]
     labels: LabelArguments,
     /// Which conditions a facet must fulfil: one of the two, the angle condition, the ratio condition, or none
@@ -54,23 +55,6 @@ pub struct Options {
 }
 
 #[derive(Clone, Copy, clap::ValueEnum)]
-enum SideName {
-    Inner,
-    Outer,
-    Both,
-}
-
-impl SideName {
-    fn translate(self) -> (Side, &'static str) {
-        match self {
-            SideName::Inner => (Side::Inner, "inner"),
-            SideName::Outer => (Side::Outer, "outer"),
-            SideName::Both => (Side::Both, "both"),
-        }
-    }
-}
-
-#[derive(Clone, Copy, clap::ValueEnum)]
 enum RuleName {
     Either,
     Angle,
@@ -91,7 +75,6 @@ impl RuleName {
 
 pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> {
     options.output.check(&[])?;
-    let (side, side_name) = options.side.translate();
     let (rule, rule_name) = options.rule.translate();
     let degrees = |name: &str, degrees: f64, most: f64| match (0.0..=most).contains(&degrees) {
         true => Ok(degrees * (PI / 180.0)),
@@ -109,7 +92,11 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
         object_angle: degrees("object-degrees", options.object_degrees, 180.0)?.min(PI),
         lambda: options.lambda,
         scale: options.scale,
-        side,
+        side: match options.side {
+            Side::Inner => medial::Side::Inner,
+            Side::Outer => medial::Side::Outer,
+            Side::Both => medial::Side::Both,
+        },
         clip: None,
     };
     let soup = session.read(&options.input)?;
@@ -128,7 +115,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     options.read.describe(&mut report.parameters);
     options.output.describe(&mut report.parameters);
     for (name, value) in [
-        ("side", json!(side_name)),
+        ("side", json!(options.side.name())),
         ("rule", json!(rule_name)),
         ("theta_degrees", json!(options.theta_degrees)),
         ("rho", json!(options.rho)),
@@ -140,7 +127,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     ] {
         report.parameters.insert(name.into(), value);
     }
-    let labels = match side {
+    let labels = match options.side {
         Side::Both => None,
         _ => Some(Arc::new(options.labels.labels(&dual, &mut report, session)?)),
     };
