@@ -4,7 +4,7 @@ use crate::dual::{Dual, offsets, unit};
 use crate::error::Result;
 use crate::index::NONE;
 use crate::job::{PART, Room, Run, parts};
-use crate::poles::{Selection, is_opposite, seen_from};
+use crate::poles::{Selection, TangentPlane, seen_from};
 use crate::vector::{Vec3, dot, sub};
 
 /// Where a point lies, seen from a sample p with pole vector v: towards v or away from it, within the double cone
@@ -197,5 +197,6 @@ fn is_below(dual: &Dual, poles: &Selection, sample: usize, cell: u32, cosine: f6
     if cosine.abs() > 1e-5 {
         return cosine < 0.0;
     }
-    is_opposite(dual, sample, cell, poles.first[sample], poles.normals[sample])
+    let plane = TangentPlane::new(dual, sample, poles.first[sample], poles.normals[sample]);
+    plane.is_below(dual, sample as u32, cell)
 }

@@ -45,7 +45,9 @@ impl Conditions {
                 for (i, &end) in ends.iter().enumerate() {
                     let rims = umbrellas.rims_of(end);
                     seen += rims.len();
-                    if rims.is_empty() || rims.as_flattened().contains(&ends[1 - i]) {
+                    let other = ends[1 - i];
+                    let has = |has, rim: &[u32; 2]| has | (rim[0] == other) | (rim[1] == other);
+                    if rims.is_empty() || rims.iter().fold(false, has) {
                         continue;
                     }
                     let first = umbrellas.offsets()[end as usize] as usize;
@@ -89,11 +91,11 @@ fn planes(
                     run.poll()?;
                 }
                 let [u, v] = rim.map(|v| t.coords()[v as usize]);
-                let (normal, radius) = plane(p, u, v);
-                largest = largest.max(radius);
+                let (normal, square) = plane(p, u, v);
+                largest = largest.max(square);
                 normals.push(normal);
             }
-            radii.push(largest);
+            radii.push(largest.sqrt());
         }
         Ok((normals, radii, room))
     })?;
@@ -107,18 +109,20 @@ fn planes(
     Ok((normals, radii))
 }
 
-/// The unit normal of a triangle, and its circumradius. From its two shortest sides: those of a needle are two long ones, which differ by less than they
-/// are rounded, and a short one.
+/// The unit normal of a triangle, and its squared circumradius. From its two shortest sides: those of a needle are two long ones, which differ by less
+/// than they are rounded, and a short one.
 fn plane(a: Vec3, b: Vec3, c: Vec3) -> (Vec3, f64) {
-    let mut sides = [sub(b, a), sub(c, b), sub(a, c)];
-    let mut lengths = sides.map(length);
-    while lengths[2] < lengths[0] || lengths[2] < lengths[1] {
-        sides.rotate_left(1);
-        lengths.rotate_left(1);
-    }
-    let normal = cross(sides[0], sides[1]);
-    let twice_area = length(normal);
+    let sides = [sub(b, a), sub(c, b), sub(a, c)];
+    let squares = sides.map(|side| dot(side, side));
+    let [ab, bc, ca] = squares;
+    let (u, v) = match (ab >= bc && ab >= ca, bc >= ca) {
+        (true, _) => (sides[1], sides[2]),
+        (false, true) => (sides[2], sides[0]),
+        (false, false) => (sides[0], sides[1]),
+    };
+    let normal = cross(u, v);
+    // Of twice the area.
+    let square = dot(normal, normal);
     // The product of the sides by four times the area.
-    let radius = lengths[0] * lengths[1] * lengths[2] / (2.0 * twice_area);
-    (scale(normal, 1.0 / twice_area), radius)
+    (scale(normal, 1.0 / square.sqrt()), 0.25 * ab * (bc * ca / square))
 }

@@ -95,15 +95,14 @@ impl Medial {
             labels.check_triangulation(t)?;
         }
         let mut room = Room::new(run);
-        let incidence = t.incidence_in(run)?;
         let poles = match &options.normals {
             Some(normals) => given(normals, t.coords().len(), &mut room)?,
             None => {
+                let incidence = t.incidence_in(run)?;
                 FirstPoles::new(dual, t.coords().len(), &incidence, [0.0, 0.2], &mut room, run)?
             }
         };
-        let umbrellas = Umbrellas::new(dual, &incidence, &poles, &mut room, run)?;
-        drop(incidence);
+        let umbrellas = Umbrellas::new(dual, &poles, &mut room, run)?;
         let conditions = Conditions::new(t, facets, &umbrellas, &mut room, run)?;
         // What follows decides nothing of MEDIAL.
         run.enter(Stage::Extract)?;

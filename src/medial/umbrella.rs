@@ -4,9 +4,9 @@ use crate::dual::Dual;
 use crate::error::Result;
 use crate::index::NONE;
 use crate::job::{PART, Room, Run, parts};
-use crate::poles::{FirstPoles, is_opposite};
-use crate::triangulation::Incidence;
+use crate::poles::{FirstPoles, TangentPlane};
 use crate::vector::dot;
+use std::mem;
 
 /// For each sample p the triangles of its umbrella U_p: those at p whose dual Voronoi edge is cut by the tangent polygon, the
 /// plane through p across the pole vector (Dey, Zhao 2004, definitions 2 and 3).
@@ -27,57 +27,50 @@ pub struct Umbrellas {
 impl Umbrellas {
     pub(super) fn new(
         dual: &Dual,
-        incidence: &Incidence,
         poles: &FirstPoles,
         room: &mut Room<'_>,
         run: &Run<'_>,
     ) -> Result<Self> {
-        let t = dual.triangulation();
+        let count = dual.triangulation().coords().len();
         let is_below = below(dual, poles, room, run)?;
-        let chunks = parts(t.coords().len()).into_iter().flat_map(|range| {
-            // A sample's umbrella costs more than a step of most loops.
-            let end = range.end;
-            range.step_by(PART / 8).map(move |begin| begin..end.min(begin + PART / 8))
-        });
-        let pieces = run.in_steps(chunks.collect(), [0.4, 0.6], |range| {
-            let mut room = Room::new(run);
-            let (mut ends, mut rims) = (room.vec(range.len())?, Vec::new());
-            let (mut is_disk, mut found) = (room.vec(range.len())?, Vec::new());
-            let mut seen = 0;
-            for sample in range {
-                let cells = incidence.cells_of(sample as u32);
-                seen += cells.len();
-                if seen >= 4096 {
-                    seen = 0;
-                    run.poll()?;
-                }
-                found.clear();
-                for &cell in cells {
-                    rims_in(dual, poles, &is_below, cell, sample as u32, &mut found);
-                }
-                is_disk.push(chain(&mut found));
-                room.grow(&mut rims, found.len())?;
-                rims.extend_from_slice(&found);
-                ends.push(rims.len() as u32);
-            }
-            run.poll()?;
-            Ok((ends, rims, is_disk, room))
-        })?;
-        let count = pieces.iter().map(|(_, rims, ..)| rims.len()).sum();
-        let mut umbrellas = Umbrellas {
-            offsets: room.vec(t.coords().len() + 1)?,
-            rims: room.vec(count)?,
-            is_disk: room.vec(t.coords().len())?,
-        };
-        umbrellas.offsets.push(0);
-        for (ends, rims, is_disk, _) in pieces {
-            run.poll()?;
-            let begin = umbrellas.rims.len() as u32;
-            umbrellas.offsets.extend(ends.iter().map(|&end| begin + end));
-            umbrellas.rims.extend(rims);
-            umbrellas.is_disk.extend(is_disk);
+        let pieces = triangles(dual, poles, &is_below, run)?;
+        let mut offsets = room.filled(count + 1, 0u32)?;
+        for triangle in run.watch(pieces.iter().flat_map(|(triangles, _)| triangles)) {
+            offsets[triangle?.vertex as usize + 1] += 1;
         }
-        Ok(umbrellas)
+        for vertex in 0..count {
+            offsets[vertex + 1] += offsets[vertex];
+        }
+        let mut rims = room.filled(offsets[count] as usize, [0; 2])?;
+        let mut next = room.collect(offsets.iter().copied())?;
+        for triangle in run.watch(pieces.iter().flat_map(|(triangles, _)| triangles)) {
+            let Triangle { vertex, rim } = *triangle?;
+            let place = &mut next[vertex as usize];
+            rims[*place as usize] = rim;
+            *place += 1;
+        }
+        drop(pieces);
+        let mut is_disk = room.filled(count, false)?;
+        let mut chunks = room.vec(count.div_ceil(PART / 4))?;
+        let (mut rest, mut begin) = (&mut rims[..], 0);
+        for is_disk in is_disk.chunks_mut(PART / 4) {
+            let offsets = &offsets[begin..=begin + is_disk.len()];
+            let its = (offsets[is_disk.len()] - offsets[0]) as usize;
+            let (rims, others) = mem::take(&mut rest).split_at_mut(its);
+            chunks.push((is_disk, offsets, rims));
+            rest = others;
+            begin += PART / 4;
+        }
+        run.in_steps(chunks, [0.5, 0.6], |(is_disk, offsets, rims)| {
+            run.poll()?;
+            let mut sorted = Vec::new();
+            for (is_disk, range) in is_disk.iter_mut().zip(offsets.windows(2)) {
+                let [begin, end] = [0, 1].map(|i| (range[i] - offsets[0]) as usize);
+                *is_disk = chain(&mut rims[begin..end], &mut sorted);
+            }
+            Ok(())
+        })?;
+        Ok(Umbrellas { offsets, rims, is_disk })
     }
 
     /// The two other vertices of each triangle of one sample's umbrella.
@@ -112,20 +105,31 @@ impl Umbrellas {
 /// the pole.
 fn below(dual: &Dual, poles: &FirstPoles, room: &mut Room<'_>, run: &Run<'_>) -> Result<Vec<u8>> {
     let t = dual.triangulation();
+    let mut planes = room.filled(t.coords().len(), TangentPlane::default())?;
+    let rows =
+        planes.chunks_mut(PART).zip(poles.cells.chunks(PART).zip(poles.normals.chunks(PART)));
+    run.in_steps(rows.zip(0..).collect(), [0.2, 0.25], |((planes, (cells, normals)), chunk)| {
+        run.poll()?;
+        for (i, (plane, (&first, &normal))) in
+            planes.iter_mut().zip(cells.iter().zip(normals)).enumerate()
+        {
+            *plane = TangentPlane::new(dual, chunk * PART + i, first, normal);
+        }
+        Ok(())
+    })?;
     let mut is_below = room.filled(t.cells().len(), 0u8)?;
     let chunks = is_below.chunks_mut(PART / 4).zip(t.cells().chunks(PART / 4)).zip(0..).collect();
     run.in_steps(
         chunks,
-        [0.2, 0.4],
+        [0.25, 0.35],
         |((is_below, cells), chunk): ((&mut [u8], &[[u32; 4]]), usize)| {
             run.poll()?;
             for (i, (bits, corners)) in is_below.iter_mut().zip(cells).enumerate() {
                 let cell = (chunk * (PART / 4) + i) as u32;
-                for (slot, &v) in corners.iter().enumerate() {
-                    let v = v as usize;
-                    let is_below = is_opposite(dual, v, cell, poles.cells[v], poles.normals[v]);
-                    *bits |= u8::from(is_below) << slot;
-                }
+                *bits = (0..4).fold(0, |bits, slot| {
+                    let v = corners[slot];
+                    bits | u8::from(planes[v as usize].is_below(dual, v, cell)) << slot
+                });
             }
             Ok(())
         },
@@ -133,64 +137,88 @@ fn below(dual: &Dual, poles: &FirstPoles, room: &mut Room<'_>, run: &Run<'_>) ->
     Ok(is_below)
 }
 
-/// The rims of the umbrella of a vertex that the facets of one of its cells give. A facet between two cells is the business of the lower
-/// one, which lies below the vertex' tangent plane.
-fn rims_in(
+/// A triangle of the umbrella of a vertex: with its two other vertices it turns counterclockwise seen from the pole.
+struct Triangle {
+    vertex: u32,
+    rim: [u32; 2],
+}
+
+/// The triangles of all umbrellas, in pieces with the room that they take. A facet between two cells is the business of the
+/// lower one, which lies below the vertex' tangent plane.
+fn triangles<'a>(
     dual: &Dual,
     poles: &FirstPoles,
     is_below: &[u8],
-    cell: u32,
-    vertex: u32,
-    rims: &mut Vec<[u32; 2]>,
-) {
+    run: &'a Run<'a>,
+) -> Result<Vec<(Vec<Triangle>, Room<'a>)>> {
     let t = dual.triangulation();
-    let corners = t.cells()[cell as usize];
-    let Some(slot) = corners.iter().position(|&v| v == vertex) else { return };
-    let is_low = is_below[cell as usize] >> slot & 1 == 1;
-    for facet in (0..4).filter(|&facet| facet != slot) {
-        let neighbor = t.neighbors()[cell as usize][facet];
-        let is_cut = match neighbor {
-            NONE => is_low != is_low_at_infinity(dual, poles, cell, facet, vertex),
-            _ if !is_low => false,
-            neighbor => {
-                let place = t.cells()[neighbor as usize].iter().position(|&v| v == vertex);
-                place.is_some_and(|place| is_below[neighbor as usize] >> place & 1 == 0)
+    run.in_steps(parts(t.cells().len()), [0.35, 0.45], |cells| {
+        let (mut room, mut triangles) = (Room::new(run), Vec::new());
+        for cell in cells {
+            if cell % 1024 == 0 {
+                run.poll()?;
             }
-        };
-        if is_cut {
-            // The facet turns counterclockwise seen from outside the cell.
-            let mut ring = t.facet(cell, facet);
-            while ring[0] != vertex {
-                ring.rotate_left(1);
+            let (corners, low) = (t.cells()[cell], is_below[cell]);
+            for (facet, &neighbor) in t.neighbors()[cell].iter().enumerate() {
+                let cut = match neighbor {
+                    NONE => low ^ below_at_infinity(dual, poles, cell as u32, facet),
+                    _ => {
+                        let neighbor = neighbor as usize;
+                        low & !carried(is_below[neighbor], t.cells()[neighbor], corners)
+                    }
+                };
+                let mut cut = cut & !(1 << facet);
+                while cut != 0 {
+                    let slot = cut.trailing_zeros() as usize;
+                    cut &= cut - 1;
+                    // The facet turns counterclockwise seen from outside the cell, and outside is above, but where an unbounded
+                    // edge comes down from above.
+                    let mut rim = t.rim(cell as u32, facet, slot);
+                    if low >> slot & 1 == 0 {
+                        rim.reverse();
+                    }
+                    room.push(&mut triangles, Triangle { vertex: corners[slot], rim })?;
+                }
             }
-            // Outside is above, but where an unbounded edge comes down from above.
-            let rim = [ring[1], ring[2]];
-            rims.push(if is_low { rim } else { [rim[1], rim[0]] });
         }
-    }
+        Ok((triangles, room))
+    })
 }
 
-/// Whether the unbounded Voronoi edge of a facet on the hull ends below the tangent plane of the vertex.
+/// Bits by the slots of one cell as bits by the slots of another, for the vertices that both have.
+#[inline]
+fn carried(bits: u8, from: [u32; 4], to: [u32; 4]) -> u8 {
+    let mut found = 0;
+    for (i, v) in to.into_iter().enumerate() {
+        for (j, w) in from.into_iter().enumerate() {
+            found |= (u8::from(v == w) & (bits >> j)) << i;
+        }
+    }
+    found
+}
+
+/// The corners of a facet on the hull, a bit for each slot of its cell, whose tangent plane has the far end of the unbounded Voronoi edge
+/// below it.
 #[cold]
-fn is_low_at_infinity(
-    dual: &Dual,
-    poles: &FirstPoles,
-    cell: u32,
-    facet: usize,
-    vertex: u32,
-) -> bool {
+fn below_at_infinity(dual: &Dual, poles: &FirstPoles, cell: u32, facet: usize) -> u8 {
     let ray = dual.rays().of_facet(cell, facet as u32);
-    dot(dual.rays().directions()[ray as usize], poles.normals[vertex as usize]) < 0.0
+    let direction = dual.rays().directions()[ray as usize];
+    let corners = dual.triangulation().cells()[cell as usize];
+    (0..4).fold(0, |bits, slot| {
+        let normal = poles.normals[corners[slot] as usize];
+        bits | u8::from(dot(direction, normal) < 0.0) << slot
+    })
 }
 
 /// Puts rims into a ring if they make one: each begins where the one before ends, the least first. Whether they do; if not they
 /// ascend.
-fn chain(rims: &mut [[u32; 2]]) -> bool {
+fn chain(rims: &mut [[u32; 2]], sorted: &mut Vec<[u32; 2]>) -> bool {
     rims.sort_unstable();
     if rims.len() < 3 || rims.windows(2).any(|pair| pair[0][0] == pair[1][0]) {
         return false;
     }
-    let sorted: Vec<[u32; 2]> = rims.to_vec();
+    sorted.clear();
+    sorted.extend_from_slice(rims);
     let mut at = 0;
     for (i, rim) in rims.iter_mut().enumerate() {
         *rim = sorted[at];
@@ -200,7 +228,7 @@ fn chain(rims: &mut [[u32; 2]]) -> bool {
             // Back at the first at the end, and not before: there is one ring.
             Ok(next) if (next == 0) == is_last => at = next,
             _ => {
-                rims.copy_from_slice(&sorted);
+                rims.copy_from_slice(sorted);
                 return false;
             }
         }
@@ -215,7 +243,7 @@ mod tests {
     #[test]
     fn rims_that_make_one_ring_are_put_in_its_order() {
         let mut ring = [[4, 9], [7, 2], [9, 7], [2, 4]];
-        assert!(chain(&mut ring));
+        assert!(chain(&mut ring, &mut Vec::new()));
         assert_eq!(ring, [[2, 4], [4, 9], [9, 7], [7, 2]]);
     }
 
@@ -230,7 +258,7 @@ mod tests {
             vec![[1, 2], [2, 3], [3, 1], [1, 5], [5, 6], [6, 1]],
         ] {
             let mut found = rims.clone();
-            assert!(!chain(&mut found), "{rims:?}");
+            assert!(!chain(&mut found, &mut Vec::new()), "{rims:?}");
             let mut sorted = rims.clone();
             sorted.sort_unstable();
             assert_eq!(found, sorted);

@@ -4,7 +4,7 @@ use super::Medial;
 use crate::error::{ElementKind, Result};
 use crate::index::NONE;
 use crate::job::{Job, Run, Stage};
-use crate::poles::is_opposite;
+use crate::poles::{FirstPoles, TangentPlane};
 use crate::validation::Validation;
 use crate::vector::{cross, dot, length, sub, unit};
 
@@ -160,7 +160,8 @@ impl Medial {
     /// Whether the cell's centre lies below the tangent plane of the vertex.
     fn is_below(&self, vertex: u32, cell: u32) -> bool {
         let v = vertex as usize;
-        is_opposite(&self.dual, v, cell, self.poles.cells[v], self.poles.normals[v])
+        let FirstPoles { cells, normals } = &self.poles;
+        TangentPlane::new(&self.dual, v, cells[v], normals[v]).is_below(&self.dual, vertex, cell)
     }
 
     fn check_disks(&self, report: &mut Validation, run: &Run<'_>) -> Result<()> {

@@ -9,13 +9,15 @@ mod feature_size;
 mod merge;
 mod omit;
 mod select;
+mod tangent;
 mod touch;
 mod validate;
 
 pub(crate) use feature_size::distances;
 pub(crate) use merge::least_cells;
 pub use omit::{Omit, PolesOptions};
-pub(crate) use select::{FirstPoles, Selection, is_opposite, seen_from};
+pub(crate) use select::{FirstPoles, Selection, seen_from};
+pub(crate) use tangent::TangentPlane;
 
 use crate::complex::{Hierarchy, Rows};
 use crate::dual::{Dual, DualOptions, LANES, offsets, unit};

@@ -1,17 +1,14 @@
 //! The choice of the two poles of every sample.
 
 use super::position;
-use crate::dual::{Dual, direction_sign, dot_sign, radius_order, unit};
+use super::tangent::TangentPlane;
+use crate::dual::{Dual, radius_order, unit};
 use crate::error::Result;
 use crate::index::NONE;
 use crate::job::{PART, Room, Run};
-use crate::predicates::Sign;
 use crate::predicates::double_double::Pairs;
 use crate::triangulation::{Incidence, Triangulation};
 use std::cmp::Ordering;
-
-/// The unit of rounding, 2^-53.
-const UNIT: f64 = f64::EPSILON / 2.0;
 
 /// The cells whose centres are the poles.
 pub(crate) struct Selection {
@@ -88,9 +85,10 @@ impl Selection {
                 if i % 64 == 0 || cells.len() > 1024 {
                     run.poll()?;
                 }
+                let plane = TangentPlane::new(dual, sample, first[i], normals[i]);
                 for &cell in cells {
                     if is_farther(dual, sample, cell, *second)
-                        && is_opposite(dual, sample, cell, first[i], normals[i])
+                        && plane.is_below(dual, sample as u32, cell)
                     {
                         *second = cell;
                     }
@@ -163,55 +161,6 @@ fn is_exact(dual: &Dual, cell: u32) -> bool {
         let lost = [offset.lo, squares.lo, [xy.lo[0], xyz.lo[0], 0.0]];
         lost.as_flattened().iter().all(|&part| part == 0.0) && xyz.hi[0] == square
     })
-}
-
-/// Whether the centre of the cell lies opposite the first pole, seen from the sample: (v - s) . (p - s) < 0
-/// for the exact centres v of the cell and p of `first`, or (v - s) . d < 0 if that is [`NONE`] and
-/// the pole at infinity in direction d, the sample's normal.
-pub(crate) fn is_opposite(
-    dual: &Dual,
-    sample: usize,
-    cell: u32,
-    first: u32,
-    normal: [f64; 3],
-) -> bool {
-    let t = dual.triangulation();
-    let s = t.coords()[sample];
-    let to_center = |cell: u32| difference(dual.centers()[cell as usize], s);
-    let (x, x_error) = to_center(cell);
-    let (y, y_error) = match first {
-        NONE => (normal, [0.0; 3]),
-        first => to_center(first),
-    };
-    // What the coordinates are off, then 3u for the products and sums, and room for underflow.
-    let (mut dot, mut error, mut size) = (0.0, 0.0, 0.0);
-    for k in 0..3 {
-        dot += x[k] * y[k];
-        size += (x[k] * y[k]).abs();
-        error += x[k].abs() * y_error[k] + x_error[k] * (y[k].abs() + y_error[k]);
-    }
-    let error = error + 4.0 * UNIT * size + f64::MIN_POSITIVE;
-    // A comparison with NaN is false: what overflows is decided exactly, as what is too close.
-    if dot.abs() > error * (1.0 + 16.0 * UNIT) {
-        return dot < 0.0;
-    }
-    let seen = seen_from(t, sample as u32, cell);
-    let sign = match first {
-        NONE => direction_sign(seen, normal),
-        first => dot_sign(seen, seen_from(t, sample as u32, first)),
-    };
-    sign == Sign::Negative
-}
-
-/// The rounded centre less the sample, and the most that each coordinate is off.
-fn difference(center: [f64; 3], sample: [f64; 3]) -> ([f64; 3], [f64; 3]) {
-    let x = [0, 1, 2].map(|k| center[k] - sample[k]);
-    let error = [0, 1, 2].map(|k| match center[k].abs() {
-        // The centre may be farther still: nothing is known.
-        f64::MAX => f64::INFINITY,
-        size => UNIT * (size + x[k].abs()) + f64::from_bits(1),
-    });
-    (x, error)
 }
 
 /// The points of a cell, the given vertex of it first.

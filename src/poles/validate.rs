@@ -1,6 +1,7 @@
 //! The check of poles: the farthest vertices, each once, in order.
 
-use super::select::{is_farther, is_opposite};
+use super::select::is_farther;
+use super::tangent::TangentPlane;
 use super::{Omit, POLE_MAX, Poles, position, sample_count};
 use crate::dual::{Dual, DualOptions, unit};
 use crate::error::{ElementKind, Result};
@@ -169,7 +170,8 @@ impl Poles {
                 true => NONE,
                 false => farthest(&mut cells.iter().copied()),
             };
-            let opposite = |&cell: &u32| is_opposite(dual, sample, cell, expected, normal);
+            let plane = TangentPlane::new(dual, sample, expected, normal);
+            let opposite = |&cell: &u32| plane.is_below(dual, sample as u32, cell);
             let opposite = farthest(&mut cells.iter().copied().filter(opposite));
             let is_kept = self.kept(dual, sample as u32, cells, [expected, opposite]);
             let right = |pole, cell, is_kept| match is_kept {

@@ -192,6 +192,12 @@ impl Triangulation {
         cells::FACET[facet].map(|slot| self.cells[cell as usize][slot])
     }
 
+    /// The two vertices of facet `i` of the cell that follow the one in a slot, in the facet's order.
+    pub(crate) fn rim(&self, cell: u32, facet: usize, slot: usize) -> [u32; 2] {
+        let [_, _, a, b] = cells::EVEN[facet][slot];
+        [a, b].map(|slot| self.cells[cell as usize][slot])
+    }
+
     /// The vertex with its weight, 0 in a Delaunay triangulation.
     pub fn site(&self, vertex: u32) -> [f64; 4] {
         let [x, y, z] = self.coords()[vertex as usize];
