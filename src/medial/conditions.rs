@@ -3,9 +3,10 @@
 use super::umbrella::Umbrellas;
 use crate::dual::Facets;
 use crate::error::Result;
-use crate::job::{PART, Room, Run, parts};
+use crate::job::{PART, Room, Run};
 use crate::triangulation::Triangulation;
-use crate::vector::{Vec3, cross, dot, length, scale, sub};
+use crate::vector::{Vec3, cross, dot, length, sub};
+use std::{array, mem};
 
 /// What the conditions ask of each Voronoi facet, by the two ends of its dual edge.
 ///
@@ -29,7 +30,7 @@ impl Conditions {
         room: &mut Room<'_>,
         run: &Run<'_>,
     ) -> Result<Self> {
-        let (normals, radii) = planes(t, umbrellas, room, run)?;
+        let planes = Planes::new(t, umbrellas, room, run)?;
         let none = [f64::NEG_INFINITY; 2];
         let mut sines = room.filled(facets.len(), none)?;
         let mut ratios = room.filled(facets.len(), none)?;
@@ -43,23 +44,21 @@ impl Conditions {
                 let edge = sub(q, p);
                 let size = length(edge);
                 for (i, &end) in ends.iter().enumerate() {
-                    let rims = umbrellas.rims_of(end);
-                    seen += rims.len();
-                    let other = ends[1 - i];
-                    let has = |has, rim: &[u32; 2]| has | (rim[0] == other) | (rim[1] == other);
-                    if rims.is_empty() || rims.iter().fold(false, has) {
-                        continue;
+                    let blocks = planes.of(end);
+                    seen += blocks.len();
+                    let (mut least, mut is_spoke) = ([f64::INFINITY; LANES], blocks.is_empty());
+                    for block in blocks {
+                        is_spoke |= block.has(ends[1 - i]);
+                        block.lessen(&mut least, edge);
                     }
-                    let first = umbrellas.offsets()[end as usize] as usize;
-                    let least = normals[first..first + rims.len()]
-                        .iter()
-                        .map(|&normal| dot(normal, edge).abs())
-                        .fold(f64::INFINITY, f64::min);
-                    sine[i] = (least / size).min(1.0);
-                    ratio[i] = size / radii[end as usize];
+                    if !is_spoke {
+                        let least = least.into_iter().fold(f64::INFINITY, f64::min);
+                        sine[i] = (least / size).min(1.0);
+                        ratio[i] = size / planes.radii[end as usize];
+                    }
                 }
                 // An umbrella may have nearly all triangles: they count, not the edges.
-                if seen > 1 << 16 {
+                if seen > 1 << 14 {
                     seen = 0;
                     run.poll()?;
                 }
@@ -70,59 +69,129 @@ impl Conditions {
     }
 }
 
-/// The unit normal of each umbrella triangle, and for each sample the largest of their circumradii.
-fn planes(
-    t: &Triangulation,
-    umbrellas: &Umbrellas,
-    room: &mut Room<'_>,
-    run: &Run<'_>,
-) -> Result<(Vec<[f64; 3]>, Vec<f64>)> {
-    let count = t.coords().len();
-    let pieces = run.in_steps(parts(count), [0.6, 0.7], |samples| {
-        let mut room = Room::new(run);
-        let offsets = umbrellas.offsets();
-        let triangles = offsets[samples.end] - offsets[samples.start];
-        let (mut normals, mut radii) = (room.vec(triangles as usize)?, room.vec(samples.len())?);
-        for sample in samples {
-            let p = t.coords()[sample];
-            let mut largest: f64 = 0.0;
-            for (i, rim) in umbrellas.rims_of(sample as u32).iter().enumerate() {
-                if i % 4096 == 0 {
-                    run.poll()?;
-                }
-                let [u, v] = rim.map(|v| t.coords()[v as usize]);
-                let (normal, square) = plane(p, u, v);
-                largest = largest.max(square);
-                normals.push(normal);
-            }
-            radii.push(largest.sqrt());
-        }
-        Ok((normals, radii, room))
-    })?;
-    let total = umbrellas.rims().len();
-    let (mut normals, mut radii) = (room.vec(total)?, room.vec(count)?);
-    for (piece, piece_radii, _) in pieces {
-        run.poll()?;
-        normals.extend(piece);
-        radii.extend(piece_radii);
-    }
-    Ok((normals, radii))
+/// Triangles of an umbrella that are looked at together.
+const LANES: usize = 4;
+
+/// A few triangles of one umbrella, coordinate by coordinate; the last stands for those that are missing.
+#[derive(Clone, Copy, Default)]
+struct Block {
+    /// The unit normals.
+    normals: [[f64; LANES]; 3],
+    /// The two other vertices.
+    rims: [[u32; LANES]; 2],
 }
 
-/// The unit normal of a triangle, and its squared circumradius. From its two shortest sides: those of a needle are two long ones, which differ by less
-/// than they are rounded, and a short one.
-fn plane(a: Vec3, b: Vec3, c: Vec3) -> (Vec3, f64) {
-    let sides = [sub(b, a), sub(c, b), sub(a, c)];
-    let squares = sides.map(|side| dot(side, side));
-    let [ab, bc, ca] = squares;
-    let (u, v) = match (ab >= bc && ab >= ca, bc >= ca) {
-        (true, _) => (sides[1], sides[2]),
-        (false, true) => (sides[2], sides[0]),
-        (false, false) => (sides[0], sides[1]),
-    };
-    let normal = cross(u, v);
-    // Of twice the area.
-    let square = dot(normal, normal);
-    // The product of the sides by four times the area.
-    (scale(normal, 1.0 / square.sqrt()), 0.25 * ab * (bc * ca / square))
+impl Block {
+    /// Fills in triangles of a sample's umbrella and returns their squared circumradii. From their two shortest sides: those of a
+    /// needle are two long ones, which differ by less than they are rounded, and a short one.
+    #[inline]
+    fn fill(&mut self, t: &Triangulation, sample: usize, rims: [[u32; 2]; LANES]) -> [f64; LANES] {
+        let a = t.coords()[sample];
+        self.rims = [0, 1].map(|i| rims.map(|rim| rim[i]));
+        let corners = rims.map(|rim| rim.map(|v| t.coords()[v as usize]));
+        let mut squares = [0.0; LANES];
+        for (lane, [b, c]) in corners.into_iter().enumerate() {
+            let sides = [sub(b, a), sub(c, b), sub(a, c)];
+            let [ab, bc, ca] = sides.map(|side| dot(side, side));
+            let (ab_is_longest, bc_is_longer) = (ab >= bc && ab >= ca, bc >= ca);
+            let choose = |[a, b, c]: [Vec3; 3]| -> Vec3 {
+                array::from_fn(|k| match (ab_is_longest, bc_is_longer) {
+                    (true, _) => b[k],
+                    (false, true) => c[k],
+                    (false, false) => a[k],
+                })
+            };
+            let normal = cross(choose(sides), choose([sides[1], sides[2], sides[0]]));
+            // Of twice the area.
+            let square = dot(normal, normal);
+            let by_length = 1.0 / square.sqrt();
+            for (row, x) in self.normals.iter_mut().zip(normal) {
+                row[lane] = x * by_length;
+            }
+            // The product of the sides by four times the area.
+            squares[lane] = 0.25 * ab * (bc * ca / square);
+        }
+        squares
+    }
+
+    /// Whether one of the triangles has the vertex.
+    #[inline]
+    fn has(&self, vertex: u32) -> bool {
+        self.rims.as_flattened().iter().fold(false, |has, &v| has | (v == vertex))
+    }
+
+    /// Lessens numbers to the distances of a vector's end from the planes of the triangles.
+    #[inline]
+    fn lessen(&self, least: &mut [f64; LANES], vector: Vec3) {
+        for (lane, least) in least.iter_mut().enumerate() {
+            let distance = dot(self.normals.map(|row| row[lane]), vector).abs();
+            *least = if distance < *least { distance } else { *least };
+        }
+    }
+}
+
+/// The planes of all umbrella triangles.
+struct Planes {
+    offsets: Vec<u32>,
+    blocks: Vec<Block>,
+    /// For each sample the largest circumradius of its umbrella's triangles.
+    radii: Vec<f64>,
+}
+
+impl Planes {
+    fn new(
+        t: &Triangulation,
+        umbrellas: &Umbrellas,
+        room: &mut Room<'_>,
+        run: &Run<'_>,
+    ) -> Result<Self> {
+        let count = t.coords().len();
+        let blocks_of = |sample: usize| umbrellas.rims_of(sample as u32).chunks(LANES);
+        let mut offsets = room.vec(count + 1)?;
+        offsets.push(0);
+        for sample in run.watch(0..count) {
+            let sample = sample?;
+            offsets.push(offsets[sample] + blocks_of(sample).len() as u32);
+        }
+        let mut blocks = room.filled(offsets[count] as usize, Block::default())?;
+        let mut radii = room.filled(count, 0.0f64)?;
+        let (mut rest, mut begin) = (&mut blocks[..], 0);
+        let mut chunks = room.vec(count.div_ceil(PART / 4))?;
+        for radii in radii.chunks_mut(PART / 4) {
+            let its = offsets[begin + radii.len()] - offsets[begin];
+            let (blocks, others) = mem::take(&mut rest).split_at_mut(its as usize);
+            chunks.push((begin, blocks, radii));
+            rest = others;
+            begin += PART / 4;
+        }
+        run.in_steps(chunks, [0.6, 0.7], |(begin, blocks, radii)| {
+            let mut blocks = blocks.iter_mut();
+            for (i, radius) in radii.iter_mut().enumerate() {
+                let mut largest = [0.0; LANES];
+                let rows = blocks_of(begin + i);
+                if i % 1024 == 0 || rows.len() > 1024 {
+                    run.poll()?;
+                }
+                for (rims, block) in rows.zip(&mut blocks) {
+                    let last = rims.len() - 1;
+                    // The lesser vertex first, so that which way the pole points decides no digit.
+                    let rims = array::from_fn(|lane| {
+                        let [u, v] = rims[lane.min(last)];
+                        [u.min(v), u.max(v)]
+                    });
+                    let squares = block.fill(t, begin + i, rims);
+                    largest = array::from_fn(|lane| f64::max(largest[lane], squares[lane]));
+                }
+                *radius = largest.into_iter().fold(0.0, f64::max).sqrt();
+            }
+            Ok(())
+        })?;
+        Ok(Planes { offsets, blocks, radii })
+    }
+
+    #[inline]
+    fn of(&self, sample: u32) -> &[Block] {
+        let s = sample as usize;
+        &self.blocks[self.offsets[s] as usize..self.offsets[s + 1] as usize]
+    }
 }

@@ -153,7 +153,9 @@ fn triangles<'a>(
 ) -> Result<Vec<(Vec<Triangle>, Room<'a>)>> {
     let t = dual.triangulation();
     run.in_steps(parts(t.cells().len()), [0.35, 0.45], |cells| {
-        let (mut room, mut triangles) = (Room::new(run), Vec::new());
+        let mut room = Room::new(run);
+        // An umbrella has about six triangles, a vertex some six or seven cells to itself.
+        let mut triangles = room.vec(cells.len())?;
         for cell in cells {
             if cell % 1024 == 0 {
                 run.poll()?;
@@ -188,13 +190,16 @@ fn triangles<'a>(
 /// Bits by the slots of one cell as bits by the slots of another, for the vertices that both have.
 #[inline]
 fn carried(bits: u8, from: [u32; 4], to: [u32; 4]) -> u8 {
-    let mut found = 0;
-    for (i, v) in to.into_iter().enumerate() {
-        for (j, w) in from.into_iter().enumerate() {
-            found |= (u8::from(v == w) & (bits >> j)) << i;
+    // Whole registers, as the compiler sees at once.
+    let mut found = [0u32; 4];
+    for (slot, v) in from.into_iter().enumerate() {
+        let bit = u32::from(bits >> slot & 1);
+        for (found, w) in found.iter_mut().zip(to) {
+            *found |= if v == w { bit } else { 0 };
         }
     }
-    found
+    let [a, b, c, d] = found;
+    (a | b << 1 | c << 2 | d << 3) as u8
 }
 
 /// The corners of a facet on the hull, a bit for each slot of its cell, whose tangent plane has the far end of the unbounded Voronoi edge

@@ -111,8 +111,10 @@ mod tests {
                 far[k] + f64::from(s[k]) + f64::from(s[k + 3]) * (far[k] + 1.0) * f64::EPSILON
             });
             let points: Vec<_> = steps.into_iter().map(at).collect();
-            let points = Points::new(points).unwrap();
-            let Ok(t) = Triangulation::new(&Arc::new(points), &Job::default()) else { return Ok(()) };
+            let Ok(points) = Points::new(&points, Default::default(), &Job::default()) else {
+                return Ok(());
+            };
+            let t = Triangulation::delaunay(&Arc::new(points), &Job::default()).unwrap();
             let dual = Dual::new(&Arc::new(t), DualOptions::default(), &Job::default()).unwrap();
             let cells = dual.triangulation().cells();
             for first in [NONE, 0, cells.len() as u32 / 2] {
