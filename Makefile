@@ -42,6 +42,7 @@ test:
 test-rust:
 	cargo fmt --check
 	cargo clippy --locked --all-targets -- -D warnings
+	cargo clippy --locked --bench convergence -- -D warnings
 	cargo clippy --locked --all-targets --no-default-features -- -D warnings
 	cargo clippy --locked $(COUNTED) -- -D warnings
 	RUSTDOCFLAGS='-D warnings' cargo doc --locked --no-deps

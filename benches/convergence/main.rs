@@ -13,10 +13,9 @@ use medax::points::PointsOptions;
 use medax::sample::{SampleOptions, Shape, sample, sample_mesh};
 use medax::{Complex, Dual, Job, Labels, Medial, Points, Triangulation};
 use std::collections::HashMap;
-use std::f64::consts::TAU;
 use std::path::Path;
 use std::sync::Arc;
-use surfaces::{Point, Surface, cross, curve, disc, distance, length};
+use surfaces::{Point, Surface, TORUS_TUBE, distance, length};
 
 /// The sampling densities of the table.
 const EPSILONS: [f64; 4] = [0.4, 0.2, 0.1, 0.05];
@@ -285,6 +284,9 @@ fn ratios(epsilon: f64) {
     }
 }
 
+/// A name, samples, the diagonal of the shape's box, its exact axis, and what is negative inside.
+type Case<'a> = (&'a str, Vec<Point>, f64, &'a Complex, fn(Point) -> f64);
+
 /// The signed distance to a box with rounded edges, of half sides `BRICK` plus `ROUND`.
 const BRICK: Point = [0.8, 0.55, 0.3];
 const ROUND: f64 = 0.2;
@@ -350,7 +352,7 @@ fn degenerate() {
         sample(shape, options, &Job::default()).unwrap().points().to_vec()
     };
     for spacing in [0.2, 0.1, 0.05, 0.025] {
-        let cases: [(&str, Vec<Point>, f64, &Complex, fn(Point) -> f64); 3] = [
+        let cases: [Case; 3] = [
             ("sphere", of_shape(Shape::Sphere, spacing), 12f64.sqrt(), &point, |p| {
                 Shape::Sphere.value(p)
             }),
@@ -374,19 +376,13 @@ fn degenerate() {
             let torn = medial.umbrellas().torn_count();
             let mut fields = vec!["degenerate".into(), name.to_string()];
             fields.extend([rows.len(), axis.faces().len(), torn].map(|n| n.to_string()));
+            fields.push(format!("{spacing}"));
             if axis.faces().is_empty() {
-                fields.extend([
-                    format!("{spacing}"),
-                    "-".into(),
-                    "-".into(),
-                    "-".into(),
-                    "-".into(),
-                ]);
+                fields.extend(["-"; 4].map(String::from));
             } else {
                 let found = distances(&axis, exact);
                 let parts =
                     [found.a_to_b.max, found.a_to_b.mean, found.b_to_a.max, found.b_to_a.mean];
-                fields.push(format!("{spacing}"));
                 fields.extend(parts.map(|x| format!("{:.6e}", x / diagonal)));
             }
             print(&fields);
