@@ -4,9 +4,12 @@
 //! Each operation is cancelled at twenty moments of its run; the table gives the longest time from the
 //! cancel to the return, and what the operation was doing then. The conventions promise 50 ms.
 
+use medax::cocone::{Cocone, CoconeOptions};
 use medax::complex::{DecimateOptions, compare};
-use medax::crust::PowerCrustOptions;
+use medax::crust::{Label, PowerCrustOptions};
 use medax::dual::{Dual, DualOptions};
+use medax::labels::Labels;
+use medax::medial::{Medial, MedialFilter, MedialOptions};
 use medax::points::PointsOptions;
 use medax::sample::{SampleOptions, Shape, sample};
 use medax::{Job, Points, Poles, PowerCrust, Result, Triangulation, io};
@@ -78,6 +81,9 @@ fn main() {
     let poles = Poles::new(&dual, Default::default(), &free).unwrap();
     let crust = PowerCrust::build(&points, PowerCrustOptions::default(), &free).unwrap();
     let surface = crust.surface();
+    let cocone = Cocone::new(&dual, CoconeOptions::default(), &free).unwrap();
+    let labels = Arc::new(Labels::of_cocone(&cocone, &free).unwrap());
+    let medial = Medial::new(&dual, Some(&labels), MedialOptions::default(), &free).unwrap();
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("surface.ply");
     io::write_complex(&path, surface, Default::default(), &free).unwrap();
@@ -96,6 +102,17 @@ fn main() {
     });
     measure("its validate", |job| crust.validate(job).map(drop));
     measure("sizes", |job| crust.with_sizes(surface, job).map(drop));
+    measure("scale axis", |job| crust.scale_axis(Label::Inner, 1.5, job).map(drop));
+    measure("cocone", |job| Cocone::new(&dual, CoconeOptions::default(), job).map(drop));
+    measure("its validate", |job| cocone.validate(job).map(drop));
+    measure("labels of a cocone", |job| Labels::of_cocone(&cocone, job).map(drop));
+    measure("labels of a crust", |job| Labels::of_crust(&dual, &crust, job).map(drop));
+    measure("labels of a mesh", |job| Labels::of_mesh(&dual, surface, job).map(drop));
+    let scales = MedialOptions { scales: true, ..Default::default() };
+    measure("medial", |job| Medial::new(&dual, Some(&labels), scales.clone(), job).map(drop));
+    measure("its validate", |job| medial.validate(job).map(drop));
+    measure("axis", |job| medial.axis(&MedialFilter::default(), job).map(drop));
+    measure("vertex normals", |job| surface.vertex_normals(job).map(drop));
     measure("topology", |job| surface.topology(job).map(drop));
     measure("orientation", |job| surface.oriented(job).map(drop));
     measure("its validate", |job| surface.validate(job).map(drop));

@@ -34,8 +34,11 @@ pub(super) fn scales(
         }
         let index = Index::new(dual, &balls, room, run)?;
         let found = run.in_parallel(balls.chunks(PART / 64).collect(), |balls| {
-            run.poll()?;
-            Ok(balls.iter().map(|ball| (ball.tag, index.scale(ball.tag))).collect::<Vec<_>>())
+            let scale = |ball: &Simplex<1>| {
+                run.poll()?;
+                Ok((ball.tag, index.scale(ball.tag)))
+            };
+            balls.iter().map(scale).collect::<Result<Vec<_>>>()
         })?;
         for found in run.watch(found.iter().flatten()) {
             let &(cell, scale) = found?;
