@@ -160,6 +160,66 @@ pub(super) fn area(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], axes: [usize; 2]) -
     with_width!(grid, sign::<1, 2>(points, axes, &grid))
 }
 
+/// The cross product.
+fn cross<const N: usize, const N2: usize>(a: [Int<N>; 3], b: [Int<N>; 3]) -> [Int<N2>; 3] {
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| a[i].times(b[j]) - a[j].times(b[i]))
+}
+
+/// The scalar product.
+fn dot<const N: usize, const M: usize, const R: usize>(a: [Int<N>; 3], b: [Int<M>; 3]) -> Int<R> {
+    a[0].times(b[0]) + a[1].times(b[1]) + a[2].times(b[2])
+}
+
+/// The sign of (p - r) . (q - r).
+#[cold]
+pub(super) fn edge_side(points: [&[f64; 3]; 3]) -> Sign {
+    fn sign<const W: usize, const W2: usize>([p, q, r]: [&[f64; 3]; 3], grid: &Grid) -> Sign {
+        let row = |p| grid.difference::<W>(p, r);
+        dot::<W, W, W2>(row(p), row(q)).sign()
+    }
+    let grid = Grid::of(&points, None);
+    with_width!(grid, sign::<1, 2>(points, &grid))
+}
+
+/// The sign of N . (|d|^2 a x b + |a|^2 b x d + |b|^2 d x a) with N = a x b, for a = q - p, b = r - p, d = s - p: the product of
+/// |N|^2 and the power of s to the smallest sphere through p, q, r.
+#[cold]
+pub(super) fn triangle_side(points: [&[f64; 3]; 4]) -> Sign {
+    fn sign<const W: usize, const W2: usize, const W4: usize, const W6: usize>(
+        [q, r, s, p]: [&[f64; 3]; 4],
+        grid: &Grid,
+    ) -> Sign {
+        let [a, b, d] = [q, r, s].map(|x| grid.difference::<W>(x, p));
+        let [aa, bb, dd] = [a, b, d].map(|v| dot::<W, W, W2>(v, v));
+        let normal = cross::<W, W2>(a, b);
+        let (bd, da) = (cross::<W, W2>(b, d), cross::<W, W2>(d, a));
+        let sum: [Int<W4>; 3] = std::array::from_fn(|k| {
+            dd.times::<W2, W4>(normal[k]) + aa.times(bd[k]) + bb.times(da[k])
+        });
+        dot::<W2, W4, W6>(normal, sum).sign()
+    }
+    let [p, q, r, s] = points;
+    let points = [q, r, s, p];
+    let grid = Grid::of(&points, None);
+    with_width!(grid, sign::<1, 2, 4, 6>(points, &grid))
+}
+
+/// The sign of the determinant of q - s, r - s, (q - p) x (r - p): positive where the foot of s in the plane of p, q, r lies on the same side of
+/// the line q r as p.
+#[cold]
+pub(super) fn foot_side(points: [&[f64; 3]; 4]) -> Sign {
+    fn sign<const W: usize, const W2: usize, const W4: usize>(
+        [p, q, r, s]: [&[f64; 3]; 4],
+        grid: &Grid,
+    ) -> Sign {
+        let row = |x, y| grid.difference::<W>(x, y);
+        let normal = cross::<W, W2>(row(q, p), row(r, p));
+        dot::<W2, W2, W4>(cross::<W, W2>(row(q, s), row(r, s)), normal).sign()
+    }
+    let grid = Grid::of(&points, None);
+    with_width!(grid, sign::<1, 2, 4>(points, &grid))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

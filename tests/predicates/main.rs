@@ -2,6 +2,7 @@
 
 mod consistency;
 mod definition;
+mod diametral;
 mod rational;
 mod sets;
 #[cfg(feature = "count-stages")]
