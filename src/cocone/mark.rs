@@ -7,23 +7,16 @@ use crate::error::Result;
 use crate::index::NONE;
 use crate::job::{Room, Run};
 use crate::sort::sort_by_key;
+use crate::triangulation::Triangulation;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
-
-/// What a cell is marked as.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Mark {
-    /// No well sampled vertex, or as many for one side as for the other.
-    None,
-    Outer,
-    Inner,
-}
 
 /// For each sample with an umbrella which of its sides is outside.
 pub(super) struct Marks {
     /// The side that is outside, 1 or 2; 0 where there is no umbrella.
     pub(super) outer_side: Vec<u8>,
-    pub(super) of_cells: Vec<Mark>,
+    /// How many more well sampled vertices of each cell say that it is inner than that it is outer: a cell is marked unless it is 0.
+    pub(super) votes: Vec<i8>,
 }
 
 /// Marks the cells round well sampled points (Dey, Goswami 2003, MARK).
@@ -78,25 +71,28 @@ pub(super) fn mark(
         false => 0,
         true => outer_of_patch[patch[v] as usize] ^ if turned[v] { 3 } else { 0 },
     }))?;
-    let mut of_cells = room.vec(t.cells().len())?;
-    for cell in run.watch(t.cells().iter().zip(&umbrellas.sides)) {
-        let (corners, of_corners) = cell?;
-        of_cells.push(vote(corners, of_corners, &outer_side));
-    }
-    Ok(Marks { outer_side, of_cells })
+    let votes = votes(t, umbrellas, &outer_side, room, run)?;
+    Ok(Marks { outer_side, votes })
 }
 
-/// What most well sampled vertices of a cell say.
-pub(super) fn vote(corners: &[u32; 4], sides: &[u8; 4], outer_side: &[u8]) -> Mark {
-    let mut inner = 0;
-    for (&v, &side) in corners.iter().zip(sides).filter(|&(_, &side)| side != 0) {
-        inner += if side == outer_side[v as usize] { -1 } else { 1 };
+/// The votes of each cell.
+fn votes(
+    t: &Triangulation,
+    umbrellas: &Umbrellas,
+    outer_side: &[u8],
+    room: &mut Room<'_>,
+    run: &Run<'_>,
+) -> Result<Vec<i8>> {
+    let mut votes = room.vec(t.cells().len())?;
+    for cell in run.watch(t.cells().iter().zip(&umbrellas.sides)) {
+        let (corners, sides) = cell?;
+        let mut inner = 0i8;
+        for (&v, &side) in corners.iter().zip(sides).filter(|&(_, &side)| side != 0) {
+            inner += if side == outer_side[v as usize] { -1 } else { 1 };
+        }
+        votes.push(inner);
     }
-    match inner {
-        0 => Mark::None,
-        1.. => Mark::Inner,
-        _ => Mark::Outer,
-    }
+    Ok(votes)
 }
 
 /// Well sampled points that hang together through triangles.

@@ -7,6 +7,7 @@
 mod cone;
 mod flat;
 mod mark;
+mod part;
 mod peel;
 mod prune;
 mod sheet;
@@ -81,6 +82,8 @@ pub struct Cocone {
     layer: Vec<[u32; 2]>,
     /// The side of each sample's umbrella that is outside, 1 or 2; 0 where there is none.
     outer_side: Vec<u8>,
+    /// The cells that changed sides where the surface touched itself, ascending.
+    parted: Vec<u32>,
     open_surface: Arc<Complex>,
     surface: Arc<Complex>,
 }
@@ -119,9 +122,9 @@ impl Cocone {
         drop(cones);
         let walls = sheet.walls(t, &mut room, run)?;
         let umbrellas = Umbrellas::new(t, &sheet, &walls, &incidence, &mut room, run)?;
-        let Marks { outer_side, of_cells: marks } =
-            mark::mark(dual, &sheet, &umbrellas, &mut room, run)?;
-        let is_inner = peel::peel(t, &walls, &marks, &mut room, run)?;
+        let Marks { outer_side, votes } = mark::mark(dual, &sheet, &umbrellas, &mut room, run)?;
+        let mut is_inner = peel::peel(t, &walls, &votes, &mut room, run)?;
+        let parted = part::part(t, &incidence, &votes, &mut is_inner, &mut room, run)?;
         run.enter(Stage::Extract)?;
         let boundary = surface::boundary(t, &is_inner, &mut room, run)?;
         if boundary.is_empty() {
@@ -141,9 +144,10 @@ impl Cocone {
             is_undersampled: room.collect(is_flat.iter().map(|flat| !flat))?,
             is_well_sampled: umbrellas.is_good,
             used: surface.vertices().len(),
-            marked: marks.iter().filter(|&&mark| mark != mark::Mark::None).count(),
+            marked: votes.iter().filter(|&&vote| vote != 0).count(),
             layer: sheet.facets,
             outer_side,
+            parted,
             is_inner,
             open_surface: Arc::new(open_surface),
             surface: Arc::new(surface),

@@ -1,6 +1,5 @@
 //! Peeling: cells that are not marked, taken off from outside.
 
-use super::mark::Mark;
 use crate::error::Result;
 use crate::index::NONE;
 use crate::job::{Room, Run};
@@ -14,17 +13,17 @@ use crate::triangulation::Triangulation;
 pub(super) fn peel(
     t: &Triangulation,
     walls: &[u8],
-    marks: &[Mark],
+    votes: &[i8],
     room: &mut Room<'_>,
     run: &Run<'_>,
 ) -> Result<Vec<bool>> {
-    let mut is_inner = room.collect(marks.iter().map(|&mark| mark != Mark::Outer))?;
+    let mut is_inner = room.collect(votes.iter().map(|&vote| vote >= 0))?;
     let mut stack = Vec::new();
-    for cell in run.watch(0..marks.len()) {
+    for cell in run.watch(0..votes.len()) {
         let cell = cell?;
         let is_open = |i: usize| t.is_hull(cell as u32, i) && walls[cell] >> i & 1 == 0;
-        let goes = marks[cell] == Mark::None && (0..4).any(is_open);
-        if marks[cell] == Mark::Outer || goes {
+        let goes = votes[cell] == 0 && (0..4).any(is_open);
+        if votes[cell] < 0 || goes {
             is_inner[cell] = false;
             room.push(&mut stack, cell as u32)?;
         }
@@ -39,7 +38,7 @@ pub(super) fn peel(
             if next != NONE
                 && walls[cell as usize] >> i & 1 == 0
                 && is_inner[next as usize]
-                && marks[next as usize] == Mark::None
+                && votes[next as usize] == 0
             {
                 is_inner[next as usize] = false;
                 room.push(&mut stack, next)?;

@@ -133,6 +133,9 @@ impl Cocone {
                 });
             }
         }
+        // Before cells changed sides.
+        let was_inner =
+            |cell: u32| self.is_inner[cell as usize] != self.parted.binary_search(&cell).is_ok();
         let mut votes = room.filled(cells, 0i32)?;
         let mut free = DisjointSets::new(cells, run)?;
         for cell in run.watch(0..cells as u32) {
@@ -145,7 +148,7 @@ impl Cocone {
             }
             let vote = votes[cell as usize];
             report.check(
-                vote == 0 || (vote > 0) == self.is_inner[cell as usize],
+                vote == 0 || (vote > 0) == was_inner(cell),
                 ElementKind::Cell,
                 u64::from(cell),
                 || "the cell is not what most of its well sampled vertices say".into(),
@@ -170,7 +173,7 @@ impl Cocone {
         }
         for cell in run.watch((0..cells as u32).filter(|&cell| votes[cell as usize] == 0)) {
             let cell = cell?;
-            let holds = is_reached[free.root(cell) as usize] != self.is_inner[cell as usize];
+            let holds = is_reached[free.root(cell) as usize] != was_inner(cell);
             report.check(holds, ElementKind::Cell, u64::from(cell), || {
                 "the cell without a mark is not what peeling makes of it".into()
             });
