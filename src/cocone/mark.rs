@@ -27,7 +27,7 @@ pub(super) struct Marks {
 /// cells, those that contradict taken off, agree, beginning with what lies beyond the hull. The paper leaves that to the order of the walk.
 pub(super) fn mark(
     dual: &Dual,
-    sheet: &Sheet,
+    sheet: &Sheet<'_>,
     umbrellas: &Umbrellas,
     room: &mut Room<'_>,
     run: &Run<'_>,
@@ -107,7 +107,7 @@ struct Patches {
 impl Patches {
     fn new(
         dual: &Dual,
-        sheet: &Sheet,
+        sheet: &Sheet<'_>,
         umbrellas: &Umbrellas,
         room: &mut Room<'_>,
         run: &Run<'_>,

@@ -217,42 +217,43 @@ impl Cocone {
 }
 
 /// One layer of the candidate triangles.
-struct Layer {
-    sheet: Sheet,
+struct Layer<'a> {
+    sheet: Sheet<'a>,
     /// For each triangle whether the walk was in front of it.
     front: Vec<bool>,
 }
 
-impl Layer {
+impl<'a> Layer<'a> {
     /// The pruned candidates that a walk meets; see [`candidates`] and [`walk::walk`].
     fn new(
         cones: &Cones<'_>,
         is_flat: &[bool],
         everywhere: bool,
         room: &mut Room<'_>,
-        run: &Run<'_>,
+        run: &'a Run<'a>,
     ) -> Result<Self> {
         let t = &**cones.dual.triangulation();
-        let candidates = candidates(cones, is_flat, everywhere, room, run)?;
-        let sheet = Sheet::new(t, candidates, room, run)?;
-        let mut is_pruned = room.collect(is_flat.iter().copied())?;
-        let kept = prune::prune(t, &sheet, &mut is_pruned, room, run)?;
-        let sheet = Sheet::new(t, sheet.kept(&kept, room)?, room, run)?;
+        let mut passing = Room::new(run);
+        let facets = candidates(cones, is_flat, everywhere, &mut Room::new(run), run)?;
+        let mut sheet = Sheet::new(t, facets, run)?;
+        let mut is_pruned = passing.collect(is_flat.iter().copied())?;
+        let kept = prune::prune(t, &sheet, &mut is_pruned, &mut Room::new(run), run)?;
+        sheet = Sheet::new(t, sheet.kept(&kept, &mut Room::new(run))?, run)?;
         // What a first walk finds to be flaps is in the way of the second.
-        let seen = walk::walk(t, &sheet, is_flat, false, room, run)?;
+        let seen = walk::walk(t, &sheet, is_flat, false, &mut Room::new(run), run)?;
         let is_seen = |side: &Side| *side != Side::Unseen;
-        let mut kept = room.collect(seen.iter().map(is_seen))?;
-        prune::cut_flaps(&sheet, &mut kept, room, run)?;
+        let mut kept = passing.collect(seen.iter().map(is_seen))?;
+        prune::cut_flaps(&sheet, &mut kept, &mut Room::new(run), run)?;
         let kept: Vec<bool> =
-            room.collect(seen.iter().zip(&kept).map(|(side, kept)| !is_seen(side) || *kept))?;
-        let sheet = Sheet::new(t, sheet.kept(&kept, room)?, room, run)?;
-        let seen = walk::walk(t, &sheet, is_flat, !everywhere, room, run)?;
-        let mut kept = room.collect(seen.iter().map(is_seen))?;
-        prune::cut_flaps(&sheet, &mut kept, room, run)?;
+            passing.collect(seen.iter().zip(&kept).map(|(side, kept)| !is_seen(side) || *kept))?;
+        sheet = Sheet::new(t, sheet.kept(&kept, &mut Room::new(run))?, run)?;
+        let seen = walk::walk(t, &sheet, is_flat, !everywhere, &mut Room::new(run), run)?;
+        let mut kept = passing.collect(seen.iter().map(is_seen))?;
+        prune::cut_flaps(&sheet, &mut kept, &mut Room::new(run), run)?;
         let mut front = room.vec(sheet.len())?;
         let sides = seen.iter().zip(&kept).filter(|(_, kept)| **kept);
         front.extend(sides.map(|(&side, _)| side == Side::Front));
-        let sheet = Sheet::new(t, sheet.kept(&kept, room)?, room, run)?;
+        sheet = Sheet::new(t, sheet.kept(&kept, &mut Room::new(run))?, run)?;
         Ok(Layer { sheet, front })
     }
 }
@@ -302,7 +303,7 @@ fn candidates(
 /// between inner and outer cells then point in than out.
 fn turned(
     t: &Triangulation,
-    layer: &Layer,
+    layer: &Layer<'_>,
     is_inner: &[bool],
     room: &mut Room<'_>,
     run: &Run<'_>,

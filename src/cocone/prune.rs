@@ -19,7 +19,7 @@ const STARS: usize = 1 << 10;
 /// boundary from then on, `is_inner` being cleared. Rounds look at all vertices at once, so that the order does not matter.
 pub(super) fn prune(
     t: &Triangulation,
-    sheet: &Sheet,
+    sheet: &Sheet<'_>,
     is_inner: &mut [bool],
     room: &mut Room<'_>,
     run: &Run<'_>,
@@ -72,7 +72,7 @@ pub(super) fn prune(
 /// They hang on a surface that goes on without them. Where neither end of the free edge is well sampled nothing else removes them; the papers
 /// have no such step. Of several flaps on one edge the first go first.
 pub(super) fn cut_flaps(
-    sheet: &Sheet,
+    sheet: &Sheet<'_>,
     kept: &mut [bool],
     room: &mut Room<'_>,
     run: &Run<'_>,
@@ -122,7 +122,7 @@ struct Star {
 }
 
 impl Star {
-    fn read(&mut self, t: &Triangulation, sheet: &Sheet, kept: &[bool], vertex: u32) {
+    fn read(&mut self, t: &Triangulation, sheet: &Sheet<'_>, kept: &[bool], vertex: u32) {
         let place = |v: u32| t.coords()[v as usize];
         let from = |v: u32| sub(place(v), place(vertex));
         self.facets.clear();

@@ -11,7 +11,7 @@ use crate::triangulation::Triangulation;
 /// A facet has a front and a back: its right-handed normal points to the front. Invariants: facets ascend by the
 /// cell behind them, which is the lesser one unless the facet is `turned`; edges have the numbers of `edge_of_side`, where side `k` of a facet
 /// goes from its vertex `k` to the next.
-pub(super) struct Sheet {
+pub(super) struct Sheet<'a> {
     /// The lesser cell of each facet, or the only one, and the facet's number in it.
     pub(super) facets: Vec<[u32; 2]>,
     /// The vertices: the front is opposite the lesser cell.
@@ -26,20 +26,19 @@ pub(super) struct Sheet {
     pub(super) stars_of: Vec<u32>,
     /// `4 * facet + corner` of every corner, those of one vertex together, ascending.
     pub(super) stars: Vec<u32>,
+    /// What the arrays take, until they go.
+    _room: Room<'a>,
 }
 
-impl Sheet {
+impl<'a> Sheet<'a> {
     /// Given facets that ascend. Cost: that of sorting their sides.
-    pub(super) fn new(
-        t: &Triangulation,
-        facets: Vec<[u32; 2]>,
-        room: &mut Room<'_>,
-        run: &Run<'_>,
-    ) -> Result<Self> {
+    pub(super) fn new(t: &Triangulation, facets: Vec<[u32; 2]>, run: &'a Run<'a>) -> Result<Self> {
+        let (mut room, mut passing) = (Room::new(run), Room::new(run));
+        room.keep(size_of_val(&facets[..]))?;
         let count = facets.len();
         let corners: Vec<[u32; 3]> =
             room.collect(facets.iter().map(|&[cell, facet]| t.facet(cell, facet as usize)))?;
-        let mut keyed: Vec<(u64, u32)> = room.vec(3 * count)?;
+        let mut keyed: Vec<(u64, u32)> = passing.vec(3 * count)?;
         for corners in run.watch(corners.iter().enumerate()) {
             let (facet, corners) = corners?;
             for side in 0..3 {
@@ -69,7 +68,7 @@ impl Sheet {
         for v in 0..t.coords().len() {
             stars_of[v + 1] += stars_of[v];
         }
-        let mut next = room.collect(stars_of.iter().copied())?;
+        let mut next = passing.collect(stars_of.iter().copied())?;
         let mut stars = room.filled(3 * count, 0u32)?;
         for corners in run.watch(corners.iter().enumerate()) {
             let (facet, corners) = corners?;
@@ -79,7 +78,7 @@ impl Sheet {
                 *place += 1;
             }
         }
-        Ok(Sheet { facets, corners, edge_of_side, edges, sides, stars_of, stars })
+        Ok(Sheet { facets, corners, edge_of_side, edges, sides, stars_of, stars, _room: room })
     }
 
     /// The number of facets.

@@ -25,7 +25,7 @@ pub(super) struct Umbrellas {
 impl Umbrellas {
     pub(super) fn new(
         t: &Triangulation,
-        sheet: &Sheet,
+        sheet: &Sheet<'_>,
         walls: &[u8],
         incidence: &Incidence,
         room: &mut Room<'_>,
@@ -89,7 +89,7 @@ impl Umbrellas {
 }
 
 /// Whether the triangles of a vertex are one closed fan: the edges opposite it are one ring.
-fn has_umbrella(sheet: &Sheet, vertex: u32, pairs: &mut Vec<(u32, u32)>) -> bool {
+fn has_umbrella(sheet: &Sheet<'_>, vertex: u32, pairs: &mut Vec<(u32, u32)>) -> bool {
     pairs.clear();
     for &corner in sheet.star(vertex) {
         let corners = sheet.corners[corner as usize / 4];
@@ -128,7 +128,7 @@ impl Star {
     fn divide(
         &mut self,
         t: &Triangulation,
-        sheet: &Sheet,
+        sheet: &Sheet<'_>,
         walls: &[u8],
         vertex: u32,
         cells: &[u32],

@@ -32,7 +32,7 @@ pub(super) enum Side {
 /// outside: so what it takes is oriented, and no edge has more than two triangles.
 pub(super) fn walk(
     t: &Triangulation,
-    sheet: &Sheet,
+    sheet: &Sheet<'_>,
     is_flat: &[bool],
     strict: bool,
     room: &mut Room<'_>,
@@ -92,7 +92,7 @@ pub(super) fn walk(
 }
 
 /// The bit of the way in which a triangle runs its side, oriented towards the side of it that was seen.
-fn way(sheet: &Sheet, facet: u32, side: u32, seen: Side) -> u8 {
+fn way(sheet: &Sheet<'_>, facet: u32, side: u32, seen: Side) -> u8 {
     1 << u8::from(runs_up(sheet, 4 * facet + side) == (seen == Side::Front))
 }
 
@@ -100,7 +100,7 @@ fn way(sheet: &Sheet, facet: u32, side: u32, seen: Side) -> u8 {
 /// the back of another.
 fn is_fold(
     t: &Triangulation,
-    sheet: &Sheet,
+    sheet: &Sheet<'_>,
     facet: u32,
     side: usize,
     seen: Side,
@@ -120,7 +120,7 @@ fn is_fold(
 /// Every triangle with the side that the larger region is on; first, of each component, that with the largest region before it.
 fn starts(
     t: &Triangulation,
-    sheet: &Sheet,
+    sheet: &Sheet<'_>,
     room: &mut Room<'_>,
     run: &Run<'_>,
 ) -> Result<Vec<(u32, Side)>> {
@@ -179,7 +179,12 @@ struct Orders {
 }
 
 impl Orders {
-    fn new(t: &Triangulation, sheet: &Sheet, room: &mut Room<'_>, run: &Run<'_>) -> Result<Self> {
+    fn new(
+        t: &Triangulation,
+        sheet: &Sheet<'_>,
+        room: &mut Room<'_>,
+        run: &Run<'_>,
+    ) -> Result<Self> {
         let mut sides = room.collect(sheet.sides.iter().copied())?;
         let mut ring = Vec::new();
         let mut order: Vec<(usize, u32)> = Vec::new();
@@ -213,7 +218,7 @@ impl Orders {
     }
 
     /// The triangle that is next to a side of a triangle on the side that was seen of it, and what is seen of that.
-    fn next(&self, sheet: &Sheet, facet: u32, side: usize, seen: Side) -> (u32, Side) {
+    fn next(&self, sheet: &Sheet<'_>, facet: u32, side: usize, seen: Side) -> (u32, Side) {
         let own = 4 * facet + side as u32;
         let edge = sheet.edge_of_side[facet as usize][side] as usize;
         let sides = &self.sides[sheet.edges[edge] as usize..sheet.edges[edge + 1] as usize];
@@ -228,18 +233,18 @@ impl Orders {
     }
 }
 
-fn edge_of(sheet: &Sheet, side: u32) -> u32 {
+fn edge_of(sheet: &Sheet<'_>, side: u32) -> u32 {
     sheet.edge_of_side[side as usize / 4][side as usize % 4]
 }
 
 /// The two ends of a side, in the triangle's order.
-fn ends(sheet: &Sheet, side: u32) -> [u32; 2] {
+fn ends(sheet: &Sheet<'_>, side: u32) -> [u32; 2] {
     let corners = sheet.corners[side as usize / 4];
     [corners[side as usize % 4], corners[(side as usize % 4 + 1) % 3]]
 }
 
 /// Whether the triangle runs its side from the lesser vertex to the greater.
-fn runs_up(sheet: &Sheet, side: u32) -> bool {
+fn runs_up(sheet: &Sheet<'_>, side: u32) -> bool {
     let [a, b] = ends(sheet, side);
     a < b
 }
