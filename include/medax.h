@@ -2889,7 +2889,7 @@ typedef struct {
      */
     size_t normal_count;
     /**
-     * 1 to calculate the pairwise scales too, which filters by scale need, and which cost about as much as all the rest; 0, the
+     * 1 to calculate the pairwise scales too, which filters by scale need, and which cost far more than all the rest: 12 seconds for 44,000 samples with two threads; 0, the
      * default, not to.
      */
     uint32_t scales;

@@ -79,7 +79,7 @@ pub struct medax_medial_options {
     pub normals: *const f64,
     /// The number of normals, which is that of the vertices; 0 without.
     pub normal_count: usize,
-    /// 1 to calculate the pairwise scales too, which filters by scale need, and which cost about as much as all the rest; 0, the
+    /// 1 to calculate the pairwise scales too, which filters by scale need, and which cost far more than all the rest: 12 seconds for 44,000 samples with two threads; 0, the
     /// default, not to.
     pub scales: u32,
     /// Must be 0.

@@ -68,7 +68,8 @@ impl CoconeOptions {
 ///
 /// Invariants: every cell of the triangulation is inner or outer; `surface` is the boundary of the inner ones, oriented
 /// outward, so that it is closed: every edge is in an even number of its triangles, and run equally often both ways. Cells of
-/// which well sampled vertices say more often that they are inner than that they are outer are inner, and the other way round.
+/// which well sampled vertices say more often that they are inner than that they are outer are inner, and the other way round,
+/// but for those that changed sides where the surface touched itself.
 #[derive(Clone, Debug)]
 pub struct Cocone {
     options: CoconeOptions,

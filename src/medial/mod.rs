@@ -32,7 +32,8 @@ pub struct MedialOptions {
     /// mesh, for example those of discrete curvature. Their lengths do not count, nor which way they point; a
     /// vertex whose normal is 0 has no umbrella.
     pub normals: Option<Vec<[f64; 3]>>,
-    /// Calculate the pairwise scales too, for filters by scale; off by default. Costs about as much as all the rest.
+    /// Calculate the pairwise scales too, for filters by scale; off by default. Costs a search among all balls for each, far
+    /// more than all the rest: 12 seconds for 44,000 samples with two threads.
     pub scales: bool,
 }
 
