@@ -20,6 +20,7 @@ pub mod complex;
 pub mod crust;
 pub mod dual;
 mod error;
+pub mod flow;
 mod index;
 pub mod io;
 mod job;

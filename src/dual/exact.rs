@@ -115,6 +115,46 @@ fn long_dot_sign(cells: &[[[f64; 3]; 4]; 2], exponents: [i32; 2]) -> Sign {
     sign_of(&p.iter().zip(&q).map(|(x, y)| x * y).sum())
 }
 
+/// The sign of (c - s) x d . (q - s), where c is the centre of a cell and s its first point; d is the centre of another cell less s, its first point, too; or
+/// a normal of three points, to the side from which they turn counterclockwise. The cells must not be flat.
+#[cold]
+pub(crate) fn triple_sign(
+    cell: [[f64; 3]; 4],
+    direction: std::result::Result<[[f64; 3]; 4], [[f64; 3]; 3]>,
+    q: [f64; 3],
+) -> Sign {
+    // Every vector in units of its own: lengths do not count.
+    let center = |cell: &[[f64; 3]; 4]| {
+        let solution = Solution::new(cell, None, unit_exponent(cell, None, [0.0; 3]));
+        let negative = solution.determinant.is_negative();
+        solution.numerator.map(|x| if negative { -x } else { x })
+    };
+    let differences = |from: [f64; 3], to: &[[f64; 3]]| {
+        let numbers = to.iter().flatten().chain(&from);
+        let exponent = numbers.map(|&x| decode(x).1).min().unwrap_or(0).min(0x400);
+        let place = |p: [f64; 3]| p.map(|x| integer(x, exponent));
+        let from = place(from);
+        let less = |p: &[f64; 3]| {
+            let p = place(*p);
+            from_fn::<BigInt, 3, _>(|k| &p[k] - &from[k])
+        };
+        to.iter().map(less).collect::<Vec<_>>()
+    };
+    let cross = |a: &[BigInt; 3], b: &[BigInt; 3]| {
+        [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &a[i] * &b[j] - &a[j] * &b[i])
+    };
+    let x = center(&cell);
+    let z = match direction {
+        Ok(cell) => center(&cell),
+        Err([a, b, c]) => {
+            let sides = differences(a, &[b, c]);
+            cross(&sides[0], &sides[1])
+        }
+    };
+    let along = differences(cell[0], &[q]);
+    sign_of(&cross(&x, &z).iter().zip(&along[0]).map(|(x, y)| x * y).sum())
+}
+
 /// The order of |p| and |q|, where p and q are the centres of two cells less the first point, which they
 /// share. The cells must not be flat.
 #[cold]

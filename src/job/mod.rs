@@ -57,10 +57,12 @@ pub enum Stage {
     Decimate = 14,
     /// Telling which Voronoi facets belong to the medial axis.
     Medial = 15,
+    /// Following the flow of the distance to the samples.
+    Flow = 16,
 }
 
 /// Every stage, by number.
-const STAGES: [Stage; 16] = [
+const STAGES: [Stage; 17] = [
     Stage::Idle,
     Stage::Read,
     Stage::Order,
@@ -77,6 +79,7 @@ const STAGES: [Stage; 16] = [
     Stage::Write,
     Stage::Decimate,
     Stage::Medial,
+    Stage::Flow,
 ];
 
 impl Stage {
@@ -105,6 +108,7 @@ impl Stage {
             Stage::Write => c"write",
             Stage::Decimate => c"decimate",
             Stage::Medial => c"medial",
+            Stage::Flow => c"flow",
         }
     }
 }

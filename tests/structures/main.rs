@@ -5,6 +5,7 @@ mod cell_labels;
 mod cocone;
 mod crust;
 mod dual;
+mod flow;
 mod generated;
 mod job;
 mod labels;

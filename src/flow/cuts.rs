@@ -1,0 +1,355 @@
+//! Cuts: where the orbits of Voronoi vertices cross Voronoi facets.
+
+use super::drivers::Drivers;
+use super::outline::{Corner, Outline};
+use super::side::View;
+use super::triangles::Triangles;
+use crate::dual::{Dual, Facets};
+use crate::error::{Error, Result, Status};
+use crate::index::NONE;
+use crate::job::{PART, Room, Run};
+use crate::vector::{Vec3, add, scale, sub};
+
+/// The farthest that an orbit is followed along a ray, 2^400.
+const FARTHEST: f64 = f64::from_bits((1023 + 400) << 52);
+
+/// Where a cut begins: on the near sides of its facet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Entry {
+    /// The Voronoi vertex of a cell.
+    Cell(u32),
+    /// Where another cut has ended.
+    Hit(u32),
+}
+
+/// A straight part of an orbit, across a facet.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cut {
+    pub from: Entry,
+    /// The hit where it ends, or [`NONE`] at infinity.
+    pub to: u32,
+}
+
+/// The end of a cut, inside a Voronoi edge.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Hit {
+    pub at: Vec3,
+    /// The triangle whose Voronoi edge was hit.
+    pub triangle: u32,
+    /// Where on it: the share of the way from the centre of the triangle's lesser cell to that of the other, or the distance from it along the ray.
+    pub share: f64,
+    /// The facet that the cut crosses, and what puts its hits in their order where shares are equal.
+    facet: u32,
+    order: u32,
+    /// Another hit of the same Voronoi edge, or [`NONE`].
+    next: u32,
+}
+
+/// All cuts.
+///
+/// Every Voronoi vertex whose driver is the middle of an edge flows into that edge's facet, and every point where a facet's flow leaves through
+/// the Voronoi edge of an obtuse triangle flows on into the facet of its longest edge: so the orbits of Voronoi vertices run through facets until they come to
+/// a Voronoi edge that they follow, or to infinity. Since the longest edge of a triangle is longer than the others, facets can be
+/// cut one after the other.
+///
+/// Which side a cut from a Voronoi vertex hits is decided exactly. Farther cuts begin at rounded points, and their sides are found
+/// in rounded arithmetic; but in each facet cuts leave in the order in which they enter, whatever is rounded: no two of them cross.
+///
+/// Invariants: the cuts of a facet are consecutive, clockwise seen from the second end of its edge; each hit ends one cut.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Cuts {
+    pub cuts: Vec<Cut>,
+    pub hits: Vec<Hit>,
+    /// For each facet where its cuts begin and end.
+    pub of_facet: Vec<[u32; 2]>,
+    /// For each triangle one of its hits.
+    first_hit: Vec<u32>,
+}
+
+/// What the facets of a part of one level give, with hits numbered from 0.
+struct Batch<'a> {
+    facets: Vec<(u32, u32)>,
+    cuts: Vec<Cut>,
+    hits: Vec<Hit>,
+    /// For each far side of an obtuse triangle the facet of its longest edge, which had to wait.
+    released: Vec<u32>,
+    _room: Room<'a>,
+}
+
+impl Cuts {
+    pub fn new(
+        dual: &Dual,
+        facets: &Facets,
+        triangles: &Triangles,
+        drivers: &Drivers,
+        room: &mut Room<'_>,
+        run: &Run<'_>,
+    ) -> Result<Self> {
+        let mut cuts = Cuts {
+            of_facet: room.filled(facets.len(), [0; 2])?,
+            first_hit: room.filled(triangles.len(), NONE)?,
+            ..Cuts::default()
+        };
+        // For each facet how often it has to wait for another: twice for each near side.
+        let mut awaited = room.filled(facets.len(), 0u32)?;
+        for longest in run.watch(&drivers.longest) {
+            if let Some(count) = awaited.get_mut(*longest? as usize) {
+                *count += 2;
+            }
+        }
+        let mut level = room.vec(facets.len())?;
+        level.extend((0..facets.len() as u32).filter(|&facet| awaited[facet as usize] == 0));
+        let mut done = 0;
+        while !level.is_empty() {
+            let tracer = Tracer { dual, facets, triangles, drivers, cuts: &cuts };
+            let parts = level.chunks(PART / 8).collect();
+            let batches = run.in_parallel(parts, |part| tracer.trace(part, run))?;
+            done += level.len();
+            run.tick(3 * facets.len() + 4 * done, 10 * facets.len())?;
+            level.clear();
+            for batch in batches {
+                run.poll()?;
+                for &facet in &batch.released {
+                    awaited[facet as usize] -= 1;
+                    if awaited[facet as usize] == 0 {
+                        level.push(facet);
+                    }
+                }
+                cuts.append(batch, room)?;
+            }
+            level.sort_unstable();
+        }
+        if done < facets.len() {
+            return Err(Error::new(Status::Internal, "the flow turns in a circle"));
+        }
+        Ok(cuts)
+    }
+
+    fn append(&mut self, batch: Batch<'_>, room: &mut Room<'_>) -> Result<()> {
+        let (first_cut, first_hit) = (self.cuts.len() as u32, self.hits.len() as u32);
+        let mut begin = first_cut;
+        for (facet, end) in batch.facets {
+            self.of_facet[facet as usize] = [begin, first_cut + end];
+            begin = first_cut + end;
+        }
+        room.grow(&mut self.cuts, batch.cuts.len())?;
+        room.grow(&mut self.hits, batch.hits.len())?;
+        self.cuts.extend(batch.cuts.into_iter().map(|cut| {
+            let to = if cut.to == NONE { NONE } else { first_hit + cut.to };
+            Cut { to, ..cut }
+        }));
+        for hit in batch.hits {
+            let first = &mut self.first_hit[hit.triangle as usize];
+            let next = std::mem::replace(first, self.hits.len() as u32);
+            self.hits.push(Hit { next, ..hit });
+        }
+        Ok(())
+    }
+
+    /// The cuts of a facet.
+    pub fn of(&self, facet: u32) -> &[Cut] {
+        let [begin, end] = self.of_facet[facet as usize];
+        &self.cuts[begin as usize..end as usize]
+    }
+
+    /// Replaces a list by the hits on a triangle's Voronoi edge, from its lesser cell on.
+    pub fn hits_on(&self, triangle: u32, list: &mut Vec<u32>) {
+        list.clear();
+        let mut hit = self.first_hit[triangle as usize];
+        while hit != NONE {
+            list.push(hit);
+            hit = self.hits[hit as usize].next;
+        }
+        let key = |&hit: &u32| {
+            let hit = &self.hits[hit as usize];
+            (hit.share, hit.facet, hit.order)
+        };
+        list.sort_unstable_by(|a, b| {
+            let ((a, a_facet, a_order), (b, b_facet, b_order)) = (key(a), key(b));
+            a.total_cmp(&b).then((a_facet, a_order).cmp(&(b_facet, b_order)))
+        });
+    }
+}
+
+/// What cuts facets.
+struct Tracer<'a> {
+    dual: &'a Dual,
+    facets: &'a Facets,
+    triangles: &'a Triangles,
+    drivers: &'a Drivers,
+    cuts: &'a Cuts,
+}
+
+impl Tracer<'_> {
+    fn trace<'r>(&self, part: &[u32], run: &'r Run<'r>) -> Result<Batch<'r>> {
+        let mut room = Room::new(run);
+        let (mut cuts, mut hits, mut released) = (Vec::new(), Vec::new(), Vec::new());
+        let mut facets = room.vec(part.len())?;
+        let (mut outline, mut list, mut entries) = (Outline::default(), Vec::new(), Vec::new());
+        let mut seen = 0;
+        for &facet in part {
+            outline.trace(self.dual, self.facets, self.triangles, self.drivers, facet)?;
+            seen += outline.sides.len();
+            if seen > 4096 {
+                seen = 0;
+                run.poll()?;
+            }
+            for &side in &outline.sides[outline.far()] {
+                if side != NONE && self.drivers.longest[side as usize] != NONE {
+                    room.push(&mut released, self.drivers.longest[side as usize])?;
+                }
+            }
+            self.entries(&outline, &mut list, &mut entries);
+            if !entries.is_empty() {
+                room.grow(&mut cuts, entries.len())?;
+                room.grow(&mut hits, entries.len())?;
+                self.cut(facet, &outline, &entries, &mut cuts, &mut hits);
+                facets.push((facet, cuts.len() as u32));
+            }
+        }
+        Ok(Batch { facets, cuts, hits, released, _room: room })
+    }
+
+    /// Where orbits enter a facet, clockwise.
+    fn entries(&self, outline: &Outline, list: &mut Vec<u32>, entries: &mut Vec<Entry>) {
+        entries.clear();
+        for side in 0..outline.near {
+            if let (1.., Corner::Cell(cell)) = (side, outline.corners[side]) {
+                entries.push(Entry::Cell(cell));
+            }
+            let triangle = outline.sides[side];
+            self.cuts.hits_on(triangle, list);
+            if !self.runs_on(outline, side) {
+                list.reverse();
+            }
+            entries.extend(list.iter().map(|&hit| Entry::Hit(hit)));
+        }
+    }
+
+    /// Whether a side begins at the lesser cell of its triangle.
+    fn runs_on(&self, outline: &Outline, side: usize) -> bool {
+        let [lesser, _] = self.triangles.sides[outline.sides[side] as usize];
+        outline.corners[side] == Corner::Cell(lesser)
+    }
+
+    /// Follows every entry across a facet.
+    fn cut(
+        &self,
+        facet: u32,
+        outline: &Outline,
+        entries: &[Entry],
+        cuts: &mut Vec<Cut>,
+        hits: &mut Vec<Hit>,
+    ) {
+        let view = View::new(self.dual, self.facets.edges()[facet as usize]);
+        let vector = |entry: Entry| match entry {
+            Entry::Cell(cell) => view.vector(Corner::Cell(cell)),
+            Entry::Hit(hit) => view.to(self.cuts.hits[hit as usize].at),
+        };
+        // Rays leave through the far sides one after the other, the last one first. The least that those from Voronoi vertices may come
+        // to; `far` is one more than the side.
+        let mut far = outline.sides.len();
+        let mut exact = Vec::with_capacity(entries.len());
+        for &entry in entries {
+            if let Entry::Cell(cell) = entry {
+                while far > outline.near + 1 && view.is_beyond(cell, outline.corners[far - 1]) {
+                    far -= 1;
+                }
+            }
+            exact.push(far);
+        }
+        let mut least = outline.near + 1;
+        for (i, &entry) in entries.iter().enumerate().rev() {
+            match entry {
+                Entry::Cell(_) => least = exact[i],
+                Entry::Hit(_) => exact[i] = least,
+            }
+        }
+        let mut far = outline.sides.len();
+        let mut last: Option<f64> = None;
+        for (&entry, &least) in entries.iter().zip(&exact) {
+            let x = vector(entry);
+            let mut next = far;
+            while next > least {
+                let is_beyond = match entry {
+                    Entry::Cell(_) => true,
+                    Entry::Hit(_) => view.turn(x, view.vector(outline.corners[next - 1])) > 0.0,
+                };
+                if !is_beyond {
+                    break;
+                }
+                next -= 1;
+            }
+            if next != far {
+                (far, last) = (next, None);
+            }
+            let side = far - 1;
+            let triangle = outline.sides[side];
+            if triangle == NONE {
+                cuts.push(Cut { from: entry, to: NONE });
+                continue;
+            }
+            let share = self.share(&view, outline, side, x, last);
+            last = Some(share);
+            let runs_on = self.runs_on(outline, side);
+            let is_ray = !matches!(
+                (outline.corners[side], outline.end(side)),
+                (Corner::Cell(_), Corner::Cell(_))
+            );
+            let order = hits.len() as u32;
+            cuts.push(Cut { from: entry, to: order });
+            let at = self.place(outline, side, share);
+            // Hits come against the side's direction.
+            let order = if runs_on { u32::MAX - order } else { order };
+            let share = if runs_on || is_ray { share } else { 1.0 - share };
+            hits.push(Hit { at, triangle, share, facet, order, next: NONE });
+        }
+    }
+
+    /// Where a ray hits a side: the share of it from its beginning, or the distance from its finite end. Beyond the hit before, if there is one.
+    fn share(
+        &self,
+        view: &View<'_>,
+        outline: &Outline,
+        side: usize,
+        x: Vec3,
+        last: Option<f64>,
+    ) -> f64 {
+        let (begin, end) = (outline.corners[side], outline.end(side));
+        let turn = |corner| view.turn(x, view.vector(corner));
+        match (begin, end) {
+            (Corner::Cell(_), Corner::Cell(_)) => {
+                let (from, to) = (turn(begin).min(0.0), turn(end).max(0.0));
+                let share = from / (from - to);
+                let share = if share.is_nan() { 0.5 } else { share };
+                share.clamp(0.0, last.unwrap_or(1.0))
+            }
+            (_, Corner::Ray(_)) => {
+                let share = -turn(begin).min(0.0) / turn(end).max(0.0);
+                let share = if share.is_nan() { 0.0 } else { share };
+                share.min(last.unwrap_or(FARTHEST)).min(FARTHEST)
+            }
+            (Corner::Ray(_), _) => {
+                let share = turn(end).max(0.0) / -turn(begin).min(0.0);
+                let share = if share.is_nan() { 0.0 } else { share };
+                share.max(last.unwrap_or(0.0)).min(FARTHEST)
+            }
+        }
+    }
+
+    /// The point of a side.
+    fn place(&self, outline: &Outline, side: usize, share: f64) -> Vec3 {
+        let center = |cell: u32| self.dual.centers()[cell as usize];
+        let direction = |ray: u32| self.dual.rays().directions()[ray as usize];
+        match (outline.corners[side], outline.end(side)) {
+            (Corner::Cell(begin), Corner::Cell(end)) => {
+                let [begin, end] = [begin, end].map(center);
+                add(begin, scale(sub(end, begin), share))
+            }
+            (Corner::Cell(cell), Corner::Ray(ray)) | (Corner::Ray(ray), Corner::Cell(cell)) => {
+                add(center(cell), scale(direction(ray), share))
+            }
+            (Corner::Ray(ray), Corner::Ray(_)) => direction(ray),
+        }
+    }
+}

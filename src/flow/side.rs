@@ -1,0 +1,97 @@
+//! On which side of a ray the corners of a Voronoi facet lie.
+
+use super::outline::Corner;
+use crate::dual::{Dual, triple_sign};
+use crate::poles::seen_from;
+use crate::predicates::Sign;
+use crate::vector::{Vec3, cross, dot, sub};
+
+/// The unit of rounding, 2^-53.
+const UNIT: f64 = f64::EPSILON / 2.0;
+
+/// A Voronoi facet seen from the middle of its dual edge p q: rays from there through points of the facet, and on which side of them
+/// others lie. That is the sign of (x - p) x (z - p) . (q - p): positive if z lies counterclockwise of x seen from q.
+pub(super) struct View<'a> {
+    dual: &'a Dual,
+    ends: [u32; 2],
+    origin: Vec3,
+    along: Vec3,
+}
+
+impl<'a> View<'a> {
+    pub fn new(dual: &'a Dual, ends: [u32; 2]) -> Self {
+        let [p, q] = ends.map(|v| dual.triangulation().coords()[v as usize]);
+        View { dual, ends, origin: p, along: sub(q, p) }
+    }
+
+    /// The place of a corner less that of p, or its direction.
+    pub fn vector(&self, corner: Corner) -> Vec3 {
+        match corner {
+            Corner::Cell(cell) => sub(self.dual.centers()[cell as usize], self.origin),
+            Corner::Ray(ray) => self.dual.rays().directions()[ray as usize],
+        }
+    }
+
+    /// A point less p.
+    pub fn to(&self, point: Vec3) -> Vec3 {
+        sub(point, self.origin)
+    }
+
+    /// How far z lies counterclockwise of x, both as vectors from p: rounded.
+    pub fn turn(&self, x: Vec3, z: Vec3) -> f64 {
+        dot(cross(x, z), self.along)
+    }
+
+    /// Whether a corner lies strictly counterclockwise of the ray through the centre of a cell of the edge: exact.
+    pub fn is_beyond(&self, cell: u32, corner: Corner) -> bool {
+        if let Corner::Cell(other) = corner {
+            let [(x, x_error), (z, z_error)] = [cell, other].map(|cell| self.offset(cell));
+            let size = |v: Vec3| v.map(f64::abs);
+            let [xs, zs, es] = [x, z, self.along].map(size);
+            let most = [0, 1, 2].map(|k| zs[k] + z_error[k]);
+            let error = permanent(x_error, most, es)
+                + permanent(xs, z_error, es)
+                + 16.0 * UNIT * permanent(xs, zs, es)
+                + f64::MIN_POSITIVE;
+            let turn = self.turn(x, z);
+            // A comparison with NaN is false.
+            if turn.abs() > error * (1.0 + 32.0 * UNIT) {
+                return turn > 0.0;
+            }
+        }
+        self.sign(cell, corner).is_positive()
+    }
+
+    /// The rounded centre of a cell less p, and the most that each coordinate is off.
+    fn offset(&self, cell: u32) -> (Vec3, Vec3) {
+        let center = self.dual.centers()[cell as usize];
+        let x = sub(center, self.origin);
+        let error = [0, 1, 2].map(|k| match center[k].abs() {
+            // The centre may be farther still: nothing is known.
+            f64::MAX => f64::INFINITY,
+            size => UNIT * (size + x[k].abs()) + f64::from_bits(1),
+        });
+        (x, error)
+    }
+
+    #[cold]
+    fn sign(&self, cell: u32, corner: Corner) -> Sign {
+        let t = self.dual.triangulation();
+        let [p, q] = self.ends;
+        let at = |v: u32| t.coords()[v as usize];
+        let seen = seen_from(t, p, cell);
+        match corner {
+            Corner::Cell(other) => triple_sign(seen, Ok(seen_from(t, p, other)), at(q)),
+            Corner::Ray(ray) => {
+                let [cell, facet] = self.dual.rays().facets()[ray as usize];
+                triple_sign(seen, Err(t.facet(cell, facet as usize).map(at)), at(q))
+            }
+        }
+    }
+}
+
+/// The permanent of three rows.
+fn permanent(a: Vec3, b: Vec3, c: Vec3) -> f64 {
+    let minor = |i: usize, j: usize| a[i] * b[j] + a[j] * b[i];
+    minor(1, 2) * c[0] + minor(2, 0) * c[1] + minor(0, 1) * c[2]
+}

@@ -1,0 +1,272 @@
+//! The flow of the distance to the samples: critical points by their definition, cores against the shapes that were sampled.
+
+use crate::medial::{dual_of, labels_of, samples};
+use crate::sets::{self, Random};
+use medax::dual::DualOptions;
+use medax::flow::{CriticalClass, Driver, Flow, FlowOptions};
+use medax::sample::Shape;
+use medax::{Dual, Job, JobOptions, Labels, Status};
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+type Point = [f64; 3];
+
+fn flow(rows: &[Point], labels: impl Fn(&Dual) -> Arc<Labels>, job: &Job) -> Flow {
+    let dual = dual_of(rows, &Job::default());
+    Flow::new(&dual, &labels(&dual), FlowOptions::default(), job).unwrap()
+}
+
+fn all_inner(dual: &Dual) -> Arc<Labels> {
+    let cells = dual.triangulation().cells().len();
+    Arc::new(Labels::new(dual.triangulation(), vec![true; cells]).unwrap())
+}
+
+/// Minus one to the power of the index of a critical point.
+fn sign(driver: Driver) -> i64 {
+    match driver {
+        Driver::Sample(_) | Driver::Triangle(_) => 1,
+        Driver::Edge(_) | Driver::Cell(_) => -1,
+    }
+}
+
+#[test]
+fn critical_points_of_every_index_cancel_down_to_one() {
+    let mut tried = 0;
+    for set in sets::all(300) {
+        let job = Job::default();
+        let Ok(points) = medax::Points::new(&set.rows, Default::default(), &job) else { continue };
+        let Ok(t) = medax::Triangulation::delaunay(&Arc::new(points), &job) else { continue };
+        let dual = Arc::new(Dual::new(&Arc::new(t), DualOptions { facets: true }, &job).unwrap());
+        let flow = Flow::new(&dual, &all_inner(&dual), Default::default(), &job).unwrap();
+        let mut sum = dual.triangulation().coords().len() as i64;
+        for &driver in flow.critical().drivers() {
+            sum += sign(driver);
+        }
+        assert_eq!(sum, 1, "{}", set.name);
+        tried += 1;
+    }
+    assert!(tried > 10, "{tried}");
+}
+
+fn sub(a: Point, b: Point) -> Point {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+fn dot(a: Point, b: Point) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// The barycentric coordinates of the centre of the smallest sphere through all the points, by Gauss's algorithm on 2 (p_j - p_0) . sum of b_i (p_i - p_0) = |p_j - p_0|^2.
+fn center(points: &[Point]) -> Vec<f64> {
+    let edges: Vec<Point> = points[1..].iter().map(|&p| sub(p, points[0])).collect();
+    let n = edges.len();
+    let mut rows: Vec<Vec<f64>> = (0..n)
+        .map(|j| {
+            let row = (0..n).map(|i| 2.0 * dot(edges[j], edges[i]));
+            row.chain([dot(edges[j], edges[j])]).collect()
+        })
+        .collect();
+    for i in 0..n {
+        for j in 0..n {
+            if i != j {
+                let (factor, pivot) = (rows[j][i] / rows[i][i], rows[i].clone());
+                rows[j].iter_mut().zip(pivot).for_each(|(x, y)| *x -= factor * y);
+            }
+        }
+    }
+    let others: Vec<f64> = (0..n).map(|i| rows[i][n] / rows[i][i]).collect();
+    [1.0 - others.iter().sum::<f64>()].into_iter().chain(others).collect()
+}
+
+/// Every set of two, three or four points with the centre of its smallest sphere inside its hull, and no other point in
+/// that sphere.
+#[test]
+fn critical_points_of_random_sets_are_those_of_the_definition() {
+    for seed in 0..6 {
+        let mut random = Random(seed);
+        let rows: Vec<Point> = (0..24)
+            .map(|_| match seed % 2 {
+                0 => random.cube(),
+                _ => {
+                    let radius = 0.9 + 0.2 * random.unit();
+                    random.sphere().map(|x| radius * x)
+                }
+            })
+            .collect();
+        let flow = flow(&rows, all_inner, &Job::default());
+        let coords = flow.dual().triangulation().coords();
+        let n = coords.len();
+        let mut expected = BTreeSet::new();
+        let mut consider = |simplex: &[usize]| {
+            let corners: Vec<Point> = simplex.iter().map(|&v| coords[v]).collect();
+            let weights = center(&corners);
+            if weights.iter().any(|&w| w <= 0.0) {
+                return;
+            }
+            let at: Point =
+                std::array::from_fn(|k| corners.iter().zip(&weights).map(|(p, w)| w * p[k]).sum());
+            let square = |p: Point| dot(sub(p, at), sub(p, at));
+            let radius = square(corners[0]);
+            let mut others = (0..n).filter(|v| !simplex.contains(v));
+            if others.all(|v| square(coords[v]) > radius) {
+                expected.insert(simplex.iter().map(|&v| v as u32).collect::<Vec<_>>());
+            }
+        };
+        for a in 0..n {
+            for b in a + 1..n {
+                consider(&[a, b]);
+                for c in b + 1..n {
+                    consider(&[a, b, c]);
+                    for d in c + 1..n {
+                        consider(&[a, b, c, d]);
+                    }
+                }
+            }
+        }
+        let found: BTreeSet<Vec<u32>> = (flow.critical().corners().iter())
+            .map(|corners| {
+                let mut simplex: Vec<u32> =
+                    corners.iter().copied().filter(|&v| (v as usize) < n).collect();
+                simplex.sort_unstable();
+                simplex
+            })
+            .collect();
+        assert_eq!(found, expected, "seed {seed}");
+        assert_eq!(found.len(), flow.critical().len());
+        for (at, (corners, &distance)) in flow
+            .critical()
+            .points()
+            .iter()
+            .zip(flow.critical().corners().iter().zip(flow.critical().distances()))
+        {
+            for &v in corners.iter().filter(|&&v| (v as usize) < n) {
+                let to = sub(coords[v as usize], *at);
+                assert!((dot(to, to).sqrt() - distance).abs() < 1e-9 * distance);
+            }
+        }
+    }
+}
+
+/// A cube: the middles of its edges, of its sides, and its own. Where samples are on the spheres, perturbed critical points cancel but for one.
+#[test]
+fn the_critical_points_of_a_cube_are_the_middles_of_its_parts() {
+    let rows: Vec<Point> =
+        (0..8).map(|i| [i & 1, i >> 1 & 1, i >> 2].map(|x| 2.0 * f64::from(x))).collect();
+    let flow = flow(&rows, all_inner, &Job::default());
+    let mut sums: BTreeMap<[i32; 3], i64> = BTreeMap::new();
+    for (&driver, at) in flow.critical().drivers().iter().zip(flow.critical().points()) {
+        assert!(at.iter().all(|x| [0.0, 1.0, 2.0].contains(x)), "{at:?}");
+        *sums.entry(at.map(|x| x as i32)).or_default() += sign(driver);
+    }
+    for (at, sum) in &sums {
+        let middles = at.iter().filter(|&&x| x == 1).count();
+        assert_eq!(*sum, if middles == 2 { 1 } else { -1 }, "{at:?}");
+    }
+    assert_eq!(sums.len(), 12 + 6 + 1);
+}
+
+#[test]
+fn cores_of_smooth_shapes_have_their_homotopy_type() {
+    for (shape, spacing, betti) in [
+        (Shape::Ellipsoid, 0.2, [1, 0, 0]),
+        (Shape::Capsule, 0.15, [1, 0, 0]),
+        (Shape::Torus, 0.12, [1, 1, 0]),
+        (Shape::Genus3, 0.1, [1, 3, 0]),
+        (Shape::Trefoil, 0.12, [1, 1, 0]),
+    ] {
+        let job = Job::default();
+        let flow = flow(&samples(shape, spacing), |dual| labels_of(shape, dual), &job);
+        for core in [flow.core(CriticalClass::Inner, &job), flow.repaired_core(&job)] {
+            let core = core.unwrap();
+            assert_eq!(core.topology(&job).unwrap().betti, betti, "{shape:?}");
+            assert!(core.validate(&job).unwrap().is_valid(), "{shape:?}");
+            // It lies within the shape.
+            assert!(core.vertices().iter().all(|&p| shape.value(p) < 0.0), "{shape:?}");
+        }
+    }
+}
+
+#[test]
+fn threads_change_nothing() {
+    let rows = samples(Shape::Genus3, 0.12);
+    let cores: Vec<_> = [1, 2, 8]
+        .into_iter()
+        .map(|threads| {
+            let job = Job::new(JobOptions { threads, ..Default::default() });
+            let flow = flow(&rows, |dual| labels_of(Shape::Genus3, dual), &job);
+            let job = Job::new(JobOptions { threads, ..Default::default() });
+            flow.repaired_core(&job).unwrap()
+        })
+        .collect();
+    assert!(cores[0] == cores[1] && cores[0] == cores[2]);
+}
+
+#[test]
+fn what_cannot_be_is_an_error() {
+    let job = Job::default();
+    let rows = samples(Shape::Sphere, 0.4);
+    let dual = dual_of(&rows, &job);
+    let labels = all_inner(&dual);
+    let refused = |dual: &Arc<Dual>, labels: &Arc<Labels>, least_slope: f64| {
+        Flow::new(dual, labels, FlowOptions { least_slope }, &job).unwrap_err().status()
+    };
+    for slope in [0.0, 1.0, f64::NAN, -1.0] {
+        assert_eq!(refused(&dual, &labels, slope), Status::InvalidArgument);
+    }
+    let plain = Arc::new(Dual::new(dual.triangulation(), Default::default(), &job).unwrap());
+    assert_eq!(refused(&plain, &labels, 0.5), Status::InvalidArgument);
+    let other = dual_of(&samples(Shape::Sphere, 0.5), &job);
+    assert_eq!(refused(&other, &labels, 0.5), Status::Mismatch);
+}
+
+/// The point of a Delaunay simplex that is nearest to its Voronoi face is looked for among the centres of all its sides.
+#[test]
+fn drivers_are_the_nearest_points_of_simplices() {
+    let mut random = Random(11);
+    let rows: Vec<Point> = (0..200).map(|_| random.cube()).collect();
+    let flow = flow(&rows, all_inner, &Job::default());
+    let t = flow.dual().triangulation();
+    let coords = t.coords();
+    let facets = flow.dual().facets().unwrap();
+    // The centre of a simplex, if it holds it.
+    let held = |simplex: &[u32]| -> Option<Point> {
+        let corners: Vec<Point> = simplex.iter().map(|&v| coords[v as usize]).collect();
+        let weights = center(&corners);
+        weights.iter().all(|&w| w > 0.0).then(|| {
+            std::array::from_fn(|k| corners.iter().zip(&weights).map(|(p, w)| w * p[k]).sum())
+        })
+    };
+    let place = |driver: Driver| match driver {
+        Driver::Sample(v) => coords[v as usize],
+        Driver::Edge(facet) => held(&facets.edges()[facet as usize]).unwrap(),
+        Driver::Triangle(triangle) => {
+            let [cell, slot] = flow.triangles()[triangle as usize];
+            held(&t.facet(cell, slot as usize)).unwrap()
+        }
+        Driver::Cell(cell) => held(&t.cells()[cell as usize]).unwrap(),
+    };
+    let nearest = |simplex: &[u32], x: Point| -> f64 {
+        let sides = (1..1u32 << simplex.len())
+            .map(|bits| (0..simplex.len()).filter(move |i| bits >> i & 1 == 1).map(|i| simplex[i]))
+            .map(|side| side.collect::<Vec<_>>());
+        // The nearest point of the hull lies where the foot of x in a side is in that side: for a point of the Voronoi face its centre.
+        let feet = sides.filter_map(|side| match side[..] {
+            [v] => Some(coords[v as usize]),
+            _ => held(&side),
+        });
+        feet.map(|foot| dot(sub(foot, x), sub(foot, x))).fold(f64::INFINITY, f64::min)
+    };
+    let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 * a.max(b).max(1e-9);
+    for cell in 0..t.cells().len() as u32 {
+        let x = flow.dual().centers()[cell as usize];
+        let at = place(flow.driver_of_cell(cell));
+        let found = dot(sub(at, x), sub(at, x));
+        assert!(near(found, nearest(&t.cells()[cell as usize], x)), "cell {cell}");
+    }
+    for (triangle, &[cell, slot]) in (0..).zip(flow.triangles()) {
+        let x = flow.dual().centers()[cell as usize];
+        let at = place(flow.driver_of_triangle(triangle));
+        let found = dot(sub(at, x), sub(at, x));
+        assert!(near(found, nearest(&t.facet(cell, slot as usize), x)), "triangle {triangle}");
+    }
+}
