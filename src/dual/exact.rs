@@ -193,8 +193,7 @@ fn sign_of(x: &BigInt) -> Sign {
     }
 }
 
-/// The cross product of b - a and c - a, times a power of two that makes its largest coordinate about
-/// 1, each coordinate rounded once.
+/// The cross product of b - a and c - a, each coordinate rounded once.
 #[cold]
 pub(super) fn cross(points: [[f64; 3]; 3]) -> [f64; 3] {
     let exponent = points.iter().flatten().map(|&x| decode(x).1).min().unwrap_or(0).min(0x400);
@@ -202,9 +201,7 @@ pub(super) fn cross(points: [[f64; 3]; 3]) -> [f64; 3] {
     let (u, v): ([_; 3], [_; 3]) =
         (from_fn(|k: usize| &b[k] - &a[k]), from_fn(|k: usize| &c[k] - &a[k]));
     let cross = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &u[i] * &v[j] - &u[j] * &v[i]);
-    let bits = cross.iter().map(BigInt::bits).max().unwrap_or(0);
-    let scale = BigInt::from(1) << bits;
-    cross.map(|x| ratio(x, &scale, 0))
+    cross.map(|x| ratio(x, &BigInt::from(1), 2 * exponent))
 }
 
 /// x / 2^`exponent`, which must be whole.

@@ -17,7 +17,7 @@ pub use center::{Center, circumcenter, orthocenter};
 pub(crate) use center::{offsets, radius_order};
 pub(crate) use exact::{direction_sign, dot_sign, triple_sign};
 pub use facets::Facets;
-pub(crate) use normal::unit;
+pub(crate) use normal::{cross, unit};
 pub use rays::Rays;
 
 use crate::error::{ElementKind, Error, Result, Status};

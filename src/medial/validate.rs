@@ -6,7 +6,11 @@ use crate::index::NONE;
 use crate::job::{Job, Run, Stage};
 use crate::poles::{FirstPoles, TangentPlane};
 use crate::validation::Validation;
-use crate::vector::{cross, dot, length, sub, unit};
+use crate::vector::{Vec3, cross, dot, length, sub, unit};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{ToPrimitive, float::FloatCore};
+use std::array::from_fn;
 
 impl Medial {
     /// Checks umbrellas and conditions from the other side than they were made: round each Voronoi facet, whose polygon a tangent plane must
@@ -67,7 +71,8 @@ impl Medial {
                     self.measured(end, sub(coords[other as usize], coords[end as usize]))
                 };
                 let is = (self.conditions.sines[facet][i], self.conditions.ratios[facet][i]);
-                let right = near(is.0, sine) && near(is.1, ratio);
+                // Both are right to some 10^-13: the sine of 1, the ratio of itself.
+                let right = is_near(is.0, sine, 1.0) && is_near(is.1, ratio, ratio);
                 report.check(right, ElementKind::Edge, facet as u64, || {
                     format!("from vertex {end} it has {is:?}, not {:?}", (sine, ratio))
                 });
@@ -131,8 +136,9 @@ impl Medial {
         Ok(())
     }
 
-    /// The sine and the ratio of an edge, from the triangles' angles: another formula than that which made them.
-    fn measured(&self, end: u32, edge: [f64; 3]) -> (f64, f64) {
+    /// The sine and the ratio of an edge, from the triangles' angles: another formula than that which made them. Where that angle tells little in
+    /// floats, from integers.
+    fn measured(&self, end: u32, edge: Vec3) -> (f64, f64) {
         let coords = self.dual.triangulation().coords();
         let p = coords[end as usize];
         let (mut sine, mut ratio) = (f64::INFINITY, f64::INFINITY);
@@ -140,19 +146,22 @@ impl Medial {
             let [u, v] = rim.map(|v| coords[v as usize]);
             // The corner with the largest angle: needles lose the least digits there.
             let corners = [[p, u, v], [u, v, p], [v, p, u]];
-            let cosine = |[at, a, b]: [[f64; 3]; 3]| {
+            let cosine = |[at, a, b]: [Vec3; 3]| {
                 let [a, b] = [a, b].map(|x| unit(sub(x, at)));
                 dot(a, b)
             };
             let widest = corners.into_iter().min_by(|&a, &b| cosine(a).total_cmp(&cosine(b)));
             let [at, a, b] = widest.unwrap_or(corners[0]);
             let opposite = length(sub(b, a));
-            let [a, b] = [a, b].map(|x| unit(sub(x, at)));
-            let normal = cross(a, b);
-            let volume = dot(normal, edge).abs();
-            sine = sine.min(volume / length(normal) / length(edge));
-            // A side by twice the sine of the angle opposite.
-            ratio = ratio.min(2.0 * length(normal) * length(edge) / opposite);
+            let normal = cross(unit(sub(a, at)), unit(sub(b, at)));
+            let size = length(normal);
+            let (its_sine, diameter) = match size > 0.01 {
+                // A side by the sine of the angle opposite.
+                true => (dot(normal, edge).abs() / size / length(edge), opposite / size),
+                false => in_integers([p, u, v], edge),
+            };
+            sine = sine.min(its_sine);
+            ratio = ratio.min(2.0 * length(edge) / diameter);
         }
         (sine, ratio)
     }
@@ -181,6 +190,44 @@ impl Medial {
         }
         Ok(())
     }
+}
+
+/// The sine of the angle between an edge and a triangle's plane, and the diameter of its circumscribed circle, from exact products, each
+/// of which is rounded once.
+fn in_integers(corners: [Vec3; 3], edge: Vec3) -> (f64, f64) {
+    // Everything is a multiple of 2^unit.
+    let others = corners.iter().chain([&edge]).flatten().filter(|x| **x != 0.0);
+    let unit = others.map(|x| i32::from(x.integer_decode().1)).min().unwrap_or(0);
+    let integer = |x: f64| match x.integer_decode() {
+        (0, ..) => BigInt::ZERO,
+        (mantissa, power, sign) => (BigInt::from(mantissa) << (i32::from(power) - unit)) * sign,
+    };
+    let minus = |a: &Exact, b: &Exact| -> Exact { from_fn(|k| &a[k] - &b[k]) };
+    let times = |a: &Exact, b: &Exact| -> BigInt { (0..3).map(|k| &a[k] * &b[k]).sum() };
+    // A product of so many coordinates.
+    let float = |x: BigInt, factors: i32| {
+        let exact = match factors * unit {
+            power @ 0.. => BigRational::from(x << power),
+            power => BigRational::new_raw(x, BigInt::from(1) << -power),
+        };
+        exact.to_f64().unwrap_or(f64::NAN)
+    };
+    let size = |a: &Exact, factors: i32| float(times(a, a), 2 * factors).sqrt();
+    let [p, u, v, edge] = [corners[0], corners[1], corners[2], edge].map(|p| p.map(integer));
+    let [a, b] = [minus(&u, &p), minus(&v, &p)];
+    let normal = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &a[i] * &b[j] - &a[j] * &b[i]);
+    let area = size(&normal, 2);
+    let sine = float(times(&normal, &edge), 3).abs() / area / size(&edge, 1);
+    // The product of the sides by twice the area.
+    (sine, size(&minus(&u, &v), 1) * (size(&a, 1) * size(&b, 1) / area))
+}
+
+/// A point or a vector in integers.
+type Exact = [BigInt; 3];
+
+/// Whether two numbers differ by no more than 10^-12 of a size.
+fn is_near(a: f64, b: f64, size: f64) -> bool {
+    a == b || (a - b).abs() <= 1e-12 * size
 }
 
 /// Whether two numbers agree but for rounding. Needles lose digits.
@@ -233,6 +280,15 @@ mod tests {
         all_noticed(40, |medial, i| {
             let ratio = &mut medial.conditions.ratios[23 * i][i % 2];
             *ratio = if *ratio < 0.0 { 2.0 } else { 1.001 * *ratio };
+        });
+        // By little.
+        all_noticed(40, |medial, i| {
+            let sines = medial.conditions.sines.as_flattened_mut().iter_mut();
+            *sines.filter(|sine| **sine >= 0.0).nth(29 * i).unwrap() += 1e-11;
+        });
+        all_noticed(40, |medial, i| {
+            let ratios = medial.conditions.ratios.as_flattened_mut().iter_mut();
+            *ratios.filter(|ratio| **ratio >= 0.0).nth(23 * i).unwrap() *= 1.0 + 1e-11;
         });
     }
 
