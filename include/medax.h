@@ -2607,10 +2607,34 @@ MEDAX_API medax_view_u8 medax_cocone_is_inner(const medax_cocone *cocone);
 MEDAX_API medax_view_u8 medax_cocone_is_undersampled(const medax_cocone *cocone);
 
 /**
+ * Whether the triangles round each sample are a disk that divides inside from outside. Triangles of undersampled points count here,
+ * which are not in the open surface.
+ *
+ * \param cocone The surfaces, or NULL.
+ * \return n x 1 flags, 0 or 1, one for each vertex of the points. Borrowed from `cocone`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_u8 medax_cocone_is_well_sampled(const medax_cocone *cocone);
+
+/**
+ * The number of cells that well sampled vertices mark as inner or outer. What is left of the others, when those outside are peeled off, is
+ * inner.
+ *
+ * \param cocone The surfaces; NULL has none.
+ * \return The number of cells.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+size_t medax_cocone_marked_count(const medax_cocone *cocone);
+
+/**
  * The number of samples that the watertight surface has as vertices.
  *
  * \param cocone The surfaces; NULL has none.
- * \return The number of samples used.
+ * \return The number of samples used; by n the share of them.
  *
  * Constant time. Since 0.1.
  */
@@ -2990,7 +3014,8 @@ MEDAX_API medax_status medax_medial_filter_init(medax_medial_filter *filter, siz
  *         vertex, a normal that is not finite; `MISMATCH` for labels of another triangulation, and unless there is one normal per
  *         vertex; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
  *
- * O(size of the dual); scales cost a search for each cell. Since 0.1.
+ * O(size of the dual), and for each Delaunay edge a look at every umbrella triangle of its ends: linear on surfaces that are
+ * sampled evenly, quadratic at a sample of which most others are neighbours. Scales cost a search for each cell. Since 0.1.
  */
 MEDAX_API
 medax_status medax_medial_build(const medax_dual *dual,
@@ -3072,7 +3097,8 @@ medax_status medax_medial_labels(const medax_medial *medial,
 
 /**
  * What the angle condition asks of each facet, by the two ends of its dual edge: the sine of the least angle between the edge and
- * the planes of the end's umbrella triangles. The condition holds where one of the two exceeds the sine of theta.
+ * the planes of the end's umbrella triangles. The condition holds where one of the two exceeds the sine of theta. Right to 10^-12,
+ * however thin the triangles are.
  *
  * \param medial The facets with what decides, or NULL.
  * \return f x 2, in the order of #medax_dual_facet_edges, in [0, 1]; minus infinity where the umbrella has the edge, or has no
@@ -3085,7 +3111,8 @@ medax_view_f64 medax_medial_sines(const medax_medial *medial);
 
 /**
  * What the ratio condition asks of each facet, by the two ends of its dual edge: the length of the edge by the largest
- * circumradius of the end's umbrella triangles. The condition holds where one of the two exceeds rho.
+ * circumradius of the end's umbrella triangles. The condition holds where one of the two exceeds rho. Right to 10^-12 of itself,
+ * however thin the triangles are.
  *
  * \param medial The facets with what decides, or NULL.
  * \return f x 2, in the order of #medax_dual_facet_edges, not negative; minus infinity where the umbrella has the edge, or has no
@@ -3188,7 +3215,7 @@ MEDAX_API size_t medax_medial_torn_count(const medax_medial *medial);
  * \return `MEDAX_STATUS_OK` whatever was found; `NULL_ARGUMENT`, `INVALID_ARGUMENT` for a report
  *         of no version, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
  *
- * O(size of the dual). Since 0.1.
+ * As #medax_medial_build. Since 0.1.
  */
 MEDAX_API
 medax_status medax_medial_validate(const medax_medial *medial,
@@ -3739,13 +3766,14 @@ medax_status medax_complex_winding_numbers(const medax_complex *complex,
  * 2-manifolds.)
  *
  * Where the surface is flat, so that it has no curvature, or the two differ by more than 60 degrees, the mean of the triangles'
- * normals weighted by their angles.
+ * normals weighted by their angles. What only the rounding of coordinates makes counts for next to nothing: a mesh that is rotated
+ * about the origin has the rotated normals, but for about 10^-6.
  *
  * \param complex The complex.
  * \param job NULL for a default job.
  * \param vertex_count The number of vertices of the complex, for which `out_normals` has room.
- * \param out_normals Receives `vertex_count` x 3 coordinates: vectors of length 1, and of length 0 for a vertex without faces; the
- *        caller's buffer, NULL only if `vertex_count` is 0.
+ * \param out_normals Receives `vertex_count` x 3 coordinates: vectors of length 1, and of length 0 for a vertex without a face
+ *        that has an area; the caller's buffer, NULL only if `vertex_count` is 0.
  * \return `MEDAX_STATUS_OK`; `MISMATCH` unless `vertex_count` is the number of vertices; `NULL_ARGUMENT`, `INVALID_ARGUMENT`,
  *         `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
  *

@@ -155,10 +155,39 @@ pub unsafe extern "C" fn medax_cocone_is_undersampled(
     })
 }
 
+/// Whether the triangles round each sample are a disk that divides inside from outside. Triangles of undersampled points count here,
+/// which are not in the open surface.
+///
+/// \param cocone The surfaces, or NULL.
+/// \return n x 1 flags, 0 or 1, one for each vertex of the points. Borrowed from `cocone`.
+///
+/// Constant time. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_cocone_is_well_sampled(
+    cocone: *const medax_cocone,
+) -> medax_view_u8 {
+    boundary::value(medax_view_u8::of_flags(&[]), || {
+        let flags = handle::maybe(cocone).map_or(&[][..], |c| c.cocone.is_well_sampled());
+        medax_view_u8::of_flags(flags)
+    })
+}
+
+/// The number of cells that well sampled vertices mark as inner or outer. What is left of the others, when those outside are peeled off, is
+/// inner.
+///
+/// \param cocone The surfaces; NULL has none.
+/// \return The number of cells.
+///
+/// Constant time. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_cocone_marked_count(cocone: *const medax_cocone) -> usize {
+    boundary::value(0, || handle::maybe(cocone).map_or(0, |c| c.cocone.marked()))
+}
+
 /// The number of samples that the watertight surface has as vertices.
 ///
 /// \param cocone The surfaces; NULL has none.
-/// \return The number of samples used.
+/// \return The number of samples used; by n the share of them.
 ///
 /// Constant time. Since 0.1.
 #[unsafe(no_mangle)]

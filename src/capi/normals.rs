@@ -13,13 +13,14 @@ use crate::error::{Error, Status};
 /// 2-manifolds.)
 ///
 /// Where the surface is flat, so that it has no curvature, or the two differ by more than 60 degrees, the mean of the triangles'
-/// normals weighted by their angles.
+/// normals weighted by their angles. What only the rounding of coordinates makes counts for next to nothing: a mesh that is rotated
+/// about the origin has the rotated normals, but for about 10^-6.
 ///
 /// \param complex The complex.
 /// \param job NULL for a default job.
 /// \param vertex_count The number of vertices of the complex, for which `out_normals` has room.
-/// \param out_normals Receives `vertex_count` x 3 coordinates: vectors of length 1, and of length 0 for a vertex without faces; the
-///        caller's buffer, NULL only if `vertex_count` is 0.
+/// \param out_normals Receives `vertex_count` x 3 coordinates: vectors of length 1, and of length 0 for a vertex without a face
+///        that has an area; the caller's buffer, NULL only if `vertex_count` is 0.
 /// \return `MEDAX_STATUS_OK`; `MISMATCH` unless `vertex_count` is the number of vertices; `NULL_ARGUMENT`, `INVALID_ARGUMENT`,
 ///         `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
 ///

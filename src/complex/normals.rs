@@ -11,7 +11,7 @@ impl Complex {
     /// The normals of the surface at its vertices, of length 1: those of its discrete mean curvature (Meyer, Desbrun, Schröder, Barr 2003,
     /// *Discrete differential-geometry operators for triangulated 2-manifolds*, section 3.5: the sum of (cot a + cot b)(x - y) over the edges x y), turned as the
     /// faces turn; where the surface is flat, so that it has none, or the two differ by more than 60 degrees, the mean of the triangles' normals weighted by their
-    /// angles. 0 for a vertex without faces.
+    /// angles. 0 for a vertex without a face that has an area.
     ///
     /// What only the coordinates' rounding makes counts for next to nothing: a mesh that is rotated about the origin, so that it is rounded anew, has the rotated normals, but for
     /// about 10^-6. Between a surface that is flat but for rounding and one that is clearly curved the normals change gradually.

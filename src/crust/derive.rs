@@ -27,7 +27,7 @@ impl PowerCrust {
             (0..self.poles.len()).filter_map(|pole| self.weight(pole)).fold(0.0, f64::max);
         if largest.sqrt() + distance.abs() > WEIGHT_MAX.sqrt() {
             let message =
-                format!("the distance {distance} is too large: radii must stay below 2^200");
+                format!("the distance {distance:?} is too large: radii must stay below 2^200");
             return Err(Error::new(Status::InvalidArgument, message));
         }
         job.run(&DERIVE, |run| {

@@ -31,7 +31,7 @@ impl PowerCrust {
             (0..self.poles.len()).filter_map(|pole| self.weight(pole)).fold(0.0, f64::max);
         if !(1.0..f64::INFINITY).contains(&factor) || largest.sqrt() * factor > WEIGHT_MAX.sqrt() {
             let message =
-                format!("a scale of {factor} is below 1, or makes radii of more than 2^200");
+                format!("a scale of {factor:?} is below 1, or makes radii of more than 2^200");
             return Err(Error::new(Status::InvalidArgument, message));
         }
         job.run(&DERIVE, |run| self.scale_axis_in(side, factor, run))

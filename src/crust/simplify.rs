@@ -67,7 +67,7 @@ impl PowerCrust {
         let delta = options.delta.unwrap_or(DELTA * diagonal);
         for (name, value) in [("epsilon", epsilon), ("delta", delta)] {
             if !(value.is_finite() && value >= 0.0) {
-                let message = format!("{name} must be finite and not negative, not {value}");
+                let message = format!("{name} must be finite and not negative, not {value:?}");
                 return Err(Error::new(Status::InvalidArgument, message));
             }
         }

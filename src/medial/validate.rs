@@ -16,7 +16,8 @@ impl Medial {
     /// Checks umbrellas and conditions from the other side than they were made: round each Voronoi facet, whose polygon a tangent plane must
     /// cut twice or not at all, the triangles of the umbrellas of the dual edge's ends are found again, and the
     /// conditions from these; disks are followed round. No Voronoi vertex of a sample may be farther than its pole; cells of one Voronoi vertex have one
-    /// centre and one scale; and no corner of a facet is outside its reach. Errors: those of the job. Cost: O(size of the dual).
+    /// centre and one scale; and no corner of a facet is outside its reach. Errors: those of the job. Cost: that of
+    /// [`Medial::new`].
     pub fn validate(&self, job: &Job) -> Result<Validation> {
         job.run(&[(Stage::Validate, 1.0)], |run| {
             run.enter(Stage::Validate)?;

@@ -50,7 +50,7 @@ pub(super) fn omit(
     run: &Run<'_>,
 ) -> Result<f64> {
     if !(0.0..std::f64::consts::FRAC_PI_4).contains(&options.lambda) {
-        let message = format!("lambda must lie in [0, pi/4), not {}", options.lambda);
+        let message = format!("lambda must lie in [0, pi/4), not {:?}", options.lambda);
         return Err(Error::new(Status::InvalidArgument, message));
     }
     if options.omit == Omit::Nothing {

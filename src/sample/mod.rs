@@ -151,7 +151,7 @@ impl SampleOptions {
             if !value.is_finite() || value < 0.0 {
                 return Err(Error::new(
                     Status::InvalidArgument,
-                    format!("the {name} must be 0 or a positive number, not {value}"),
+                    format!("the {name} must be 0 or a positive number, not {value:?}"),
                 ));
             }
         }
@@ -159,7 +159,7 @@ impl SampleOptions {
             return Err(Error::new(
                 Status::InvalidArgument,
                 format!(
-                    "the noise must be at most a million times the diagonal, {diagonal}, not {:?}",
+                    "the noise must be at most a million times the diagonal, {diagonal:?}, not {:?}",
                     self.noise
                 ),
             ));

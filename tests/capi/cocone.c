@@ -26,6 +26,7 @@ static void null_is_nothing(void) {
     report.struct_size = sizeof report;
     CHECK(medax_cocone_is_inner(NULL).data == NULL && medax_cocone_is_inner(NULL).rows == 0);
     CHECK(medax_cocone_is_undersampled(NULL).rows == 0 && medax_cocone_used_count(NULL) == 0);
+    CHECK(medax_cocone_is_well_sampled(NULL).rows == 0 && medax_cocone_marked_count(NULL) == 0);
     CHECK_STATUS(NULL_ARGUMENT, medax_cocone_surface(NULL, &surface));
     CHECK_STATUS(NULL_ARGUMENT, medax_cocone_open_surface(NULL, &surface));
     CHECK_STATUS(NULL_ARGUMENT, medax_labels_of_cocone(NULL, NULL, &labels));
@@ -81,6 +82,10 @@ static void torus(void) {
     CHECK_STATUS(OK, medax_cocone_open_surface(cocone, &open));
     CHECK(medax_complex_faces(open).rows > samples);
     CHECK(medax_cocone_is_undersampled(cocone).rows == samples);
+    /* All samples are dense enough, and every cell at one of them has a mark. */
+    const medax_view_u8 well = medax_cocone_is_well_sampled(cocone);
+    CHECK(well.rows == samples && memchr(well.data, 0, samples) == NULL);
+    CHECK(medax_cocone_marked_count(cocone) == medax_triangulation_cells(t).rows);
     CHECK_STATUS(OK, medax_labels_of_cocone(cocone, NULL, &labels));
     const medax_view_u8 inner = medax_cocone_is_inner(cocone);
     CHECK(inner.rows == medax_triangulation_cells(t).rows);

@@ -320,6 +320,8 @@ void axes(const medax::Points &points, const medax::Dual &dual, const medax::Com
     CHECK(cocone.surface().topology().boundary_loops == 0);
     CHECK(cocone.open_surface().faces().rows() > 0);
     CHECK(cocone.is_undersampled().rows() == points.count());
+    CHECK(cocone.is_well_sampled().rows() == points.count());
+    CHECK(cocone.marked_count() > 0 && cocone.marked_count() <= t.cells().rows());
     CHECK(medax::Labels::of(cocone).inner_count() > 0);
     CHECK(cocone.is_inner().rows() == labels.is_inner().rows());
 

@@ -68,6 +68,80 @@ fn the_axis_of_a_torus_is_a_ring_and_its_surface_is_closed() {
 }
 
 #[test]
+fn both_sides_have_labels_where_they_are_asked_for() {
+    let place = Place::new();
+    place.shape(Shape::Torus, "torus.ply");
+    place.json("cocone torus.ply -o surface.ply");
+    let sides = |options: &str| {
+        let report = place.json(&format!("medial torus.ply --side both -o axis.ply {options}"));
+        let axis = io::read_complex(place.path("axis.ply"), &Job::default()).unwrap();
+        let mut sides = numbers(&axis, Element::Face, "side");
+        assert_eq!(report["counts"]["faces"], sides.len());
+        sides.sort_unstable();
+        sides.dedup();
+        (report, sides)
+    };
+    let (without, all) = sides("");
+    assert_eq!((&all[..], without.get("labels")), (&[2][..], None));
+    assert_eq!(
+        (&without["parameters"]["labels"], &without["parameters"]["label_mesh"]),
+        (&json!(null), &json!(null))
+    );
+    for (options, name, mesh) in [
+        ("--labels cocone", "cocone", json!(null)),
+        ("--labels crust", "crust", json!(null)),
+        ("--label-mesh surface.ply", "mesh", json!("surface.ply")),
+        ("--compare-labels", "cocone", json!(null)),
+    ] {
+        // Facets that cross the surface are chosen, too, if nothing else decides.
+        let (report, all) = sides(&format!("{options} --rule none"));
+        assert_eq!(all, [0, 1, 2], "{options}");
+        assert!(report["labels"]["inner"].as_u64().unwrap() > 0, "{options}");
+        let parameters = &report["parameters"];
+        assert_eq!((&parameters["labels"], &parameters["label_mesh"]), (&json!(name), &mesh));
+        let is_compared = report["labels"]["disagreement"].get("crust").is_some();
+        assert_eq!(is_compared, options == "--compare-labels", "{options}");
+    }
+    let error = place.failure("medial torus.ply --side both --label-mesh absent.off", 1);
+    assert_eq!((&error["status"], &error["path"]), (&json!("IO"), &json!("absent.off")));
+}
+
+#[test]
+fn a_source_that_fails_is_not_compared() {
+    let place = Place::new();
+    // A curve has no surface of Delaunay triangles.
+    let rows = (0..30).map(|i| f64::from(i) / 5.0);
+    let rows = rows.map(|x| format!("{x} {} {}\n", x * x, x * x * x)).collect::<String>();
+    place.write("curve.xyz", rows);
+    assert_eq!(place.failure("medial curve.xyz", 1)["status"], "DEGENERATE");
+    let report = place.json("medial curve.xyz --labels crust --compare-labels");
+    assert_eq!(report["labels"]["disagreement"], json!({ "cocone": null }));
+    let warnings = report["warnings"].as_array().unwrap();
+    let is_told =
+        |warning: &serde_json::Value| warning.as_str().unwrap().contains("no labels of cocone");
+    assert!(warnings.iter().any(is_told), "{warnings:?}");
+}
+
+#[test]
+fn every_angle_below_90_degrees_is_a_threshold() {
+    let place = Place::new();
+    place.shape(Shape::Sphere, "sphere.ply");
+    for angle in ["0", "89.9999", "89.99999999999999"] {
+        place.json(&format!("medial sphere.ply --side both --theta-degrees {angle}"));
+    }
+    for (arguments, what) in [
+        ("medial sphere.ply --theta-degrees 1e300", "1e300"),
+        ("medial sphere.ply --object-degrees -1e300", "-1e300"),
+        ("crust sphere.ply --shape a.ply --scale-axis 1e300", "1e300"),
+        ("cocone sphere.ply --angle-degrees 1e300", "1e300"),
+    ] {
+        let error = place.failure(arguments, 2);
+        let message = error["message"].as_str().unwrap();
+        assert!(message.contains(what) && message.len() < 120, "{message}");
+    }
+}
+
+#[test]
 fn a_box_keeps_unbounded_facets_and_cuts_them() {
     let place = Place::new();
     place.shape(Shape::Torus, "torus.ply");

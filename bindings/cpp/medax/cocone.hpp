@@ -49,6 +49,12 @@ public:
     View<std::uint8_t> is_undersampled() const noexcept {
         return detail::view(medax_cocone_is_undersampled(get()));
     }
+    /// Whether the triangles round each sample are a disk that divides inside from outside.
+    View<std::uint8_t> is_well_sampled() const noexcept {
+        return detail::view(medax_cocone_is_well_sampled(get()));
+    }
+    /// The number of cells that well sampled vertices mark as inner or outer.
+    std::size_t marked_count() const noexcept { return medax_cocone_marked_count(get()); }
     /// The number of samples that the watertight surface has.
     std::size_t used_count() const noexcept { return medax_cocone_used_count(get()); }
     /// Checks the surfaces.

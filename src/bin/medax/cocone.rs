@@ -39,7 +39,9 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     options.output.check(&[])?;
     let degrees = |name: &str, degrees: f64| match degrees > 0.0 && degrees < 90.0 {
         true => Ok(degrees * (PI / 180.0)),
-        false => Err(Failure::usage(format!("--{name} must lie between 0 and 90, not {degrees}"))),
+        false => {
+            Err(Failure::usage(format!("--{name} must lie between 0 and 90, not {degrees:?}")))
+        }
     };
     let asked = CoconeOptions {
         angle: degrees("angle-degrees", options.angle_degrees)?,

@@ -104,7 +104,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
             PowerCrustOptions { deep, ..PowerCrustOptions::default() }
         }
         Some(degrees) => {
-            let message = format!("--deep-degrees must lie between 90 and 180, not {degrees}");
+            let message = format!("--deep-degrees must lie between 90 and 180, not {degrees:?}");
             return Err(Failure::usage(message));
         }
     };

@@ -28,10 +28,10 @@ pub struct Options {
 pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> {
     options.output.check(&[])?;
     if let Some(ratio) = options.ratio.filter(|ratio| !(0.0..=1.0).contains(ratio)) {
-        return Err(Failure::usage(format!("--ratio must lie between 0 and 1, not {ratio}")));
+        return Err(Failure::usage(format!("--ratio must lie between 0 and 1, not {ratio:?}")));
     }
     if let Some(limit) = options.max_error.filter(|&limit| limit.is_nan() || limit < 0.0) {
-        return Err(Failure::usage(format!("--max-error must not be negative, and is {limit}")));
+        return Err(Failure::usage(format!("--max-error must not be negative, and is {limit:?}")));
     }
     let complex = session.read_complex(&options.input)?;
     let before = complex.triangles().len();

@@ -25,7 +25,7 @@ impl FlattenArguments {
     pub fn check(&self) -> Result<(), Failure> {
         match self.flatness {
             Some(ratio) if ratio.is_nan() || ratio < 0.0 => {
-                Err(Failure::usage(format!("--flatness must not be negative, and is {ratio}")))
+                Err(Failure::usage(format!("--flatness must not be negative, and is {ratio:?}")))
             }
             _ => Ok(()),
         }

@@ -2,7 +2,7 @@
 
 use crate::report::Report;
 use crate::session::{Failure, Session};
-use medax::{Cocone, Dual, Labels, PowerCrust};
+use medax::{Cocone, Dual, Labels, PowerCrust, Status};
 use serde_json::{Map, json};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -10,9 +10,9 @@ use std::sync::Arc;
 /// What tells inside from outside.
 #[derive(clap::Args)]
 pub struct LabelArguments {
-    /// What tells inside from outside: the watertight surface of Tight Cocone, or the power crust
-    #[arg(long, value_enum, value_name = "SOURCE", default_value_t = Source::Cocone, conflicts_with = "label_mesh")]
-    labels: Source,
+    /// What tells inside from outside: the watertight surface of Tight Cocone, by default, or the power crust
+    #[arg(long, value_enum, value_name = "SOURCE", conflicts_with = "label_mesh")]
+    labels: Option<Source>,
     /// Let this mesh tell instead, which may be the input itself; its faces must point out of the solid
     #[arg(long, value_name = "MESH")]
     label_mesh: Option<PathBuf>,
@@ -53,6 +53,19 @@ impl Source {
 }
 
 impl LabelArguments {
+    /// Whether one of the options is given.
+    pub fn are_asked_for(&self) -> bool {
+        self.labels.is_some() || self.label_mesh.is_some() || self.compare_labels
+    }
+
+    /// Says what the options are where no labels are made.
+    pub fn without(report: &mut Report) {
+        for name in ["labels", "label_mesh"] {
+            report.parameters.insert(name.into(), json!(null));
+        }
+        report.parameters.insert("compare_labels".into(), json!(false));
+    }
+
     /// The labels, and what there is to say of them.
     pub fn labels(
         &self,
@@ -66,21 +79,38 @@ impl LabelArguments {
                 let labels = Labels::of_mesh(dual, &mesh, &session.job);
                 ("mesh", labels.map_err(Failure::about(path))?)
             }
-            None => (self.labels.name(), self.labels.labels(dual, session)?),
+            None => {
+                let source = self.labels.unwrap_or(Source::Cocone);
+                (source.name(), source.labels(dual, session)?)
+            }
         };
         report.parameters.insert("labels".into(), json!(name));
         let path = self.label_mesh.as_ref().map(|path| path.to_string_lossy());
         report.parameters.insert("label_mesh".into(), json!(path));
+        report.parameters.insert("compare_labels".into(), json!(self.compare_labels));
         let inner = labels.inner_count();
         let outer = labels.is_inner().len() - inner;
         let mut differ = Map::new();
         if self.compare_labels {
             for source in Source::ALL.into_iter().filter(|source| source.name() != name) {
-                let other = source.labels(dual, session)?;
-                differ.insert(source.name().into(), json!(labels.disagreement(&other)?));
+                let other = source.labels(dual, session);
+                let disagreement = match other {
+                    Ok(other) => Some(labels.disagreement(&other)?),
+                    Err(failure) if failure.error.status() == Status::Cancelled => {
+                        return Err(failure);
+                    }
+                    // The labels asked for are there all the same.
+                    Err(failure) => {
+                        let (name, message) = (source.name(), failure.error.message());
+                        session
+                            .warn(&format!("there are no labels of {name} to compare: {message}"));
+                        None
+                    }
+                };
+                differ.insert(source.name().into(), json!(disagreement));
             }
         }
-        for (other, count) in &differ {
+        for (other, count) in differ.iter().filter(|(_, count)| !count.is_null()) {
             report
                 .lines
                 .push(("disagreement", format!("{count} cells with the labels of {other}")));

@@ -8,7 +8,7 @@ use medax::dual::{Dual, DualOptions};
 use medax::medial::{self, Medial, MedialFilter, MedialOptions, MedialRule};
 use medax::{Complex, Error, Status, Triangulation};
 use serde_json::json;
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -21,7 +21,8 @@ pub struct Options {
     read: ReadOptions,
     #[command(flatten)]
     output: OutputOptions,
-    /// The side of the surface whose axis is written; both takes the facets that cross the surface, too
+    /// The side of the surface whose axis is written; both takes the facets that cross the surface, too. Labels, which tell the side of every
+    /// facet, are then made only if one of their options is given
     #[arg(long, value_enum, default_value_t = Side::Inner)]
     side: Side,
     #[command(flatten)]
@@ -76,20 +77,24 @@ impl RuleName {
 pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> {
     options.output.check(&[])?;
     let (rule, rule_name) = options.rule.translate();
-    let degrees = |name: &str, degrees: f64, most: f64| match (0.0..=most).contains(&degrees) {
-        true => Ok(degrees * (PI / 180.0)),
-        false => {
-            Err(Failure::usage(format!("--{name} must lie between 0 and {most}, not {degrees}")))
-        }
-    };
+    let (theta, angle) = (options.theta_degrees, options.object_degrees);
+    if !(0.0..90.0).contains(&theta) {
+        let message = format!("--theta-degrees must be 0 or more and below 90, not {theta:?}");
+        return Err(Failure::usage(message));
+    }
+    if !(0.0..=180.0).contains(&angle) {
+        let message = format!("--object-degrees must lie between 0 and 180, not {angle:?}");
+        return Err(Failure::usage(message));
+    }
     if options.clip.is_some_and(|share| !share.is_finite() || share < 0.0) {
         return Err(Failure::usage("--clip must be a share of the diagonal, and not negative"));
     }
     let mut filter = MedialFilter {
         rule,
-        theta: degrees("theta-degrees", options.theta_degrees, 89.999)?,
+        // A product of what is next below 90 may be rounded up.
+        theta: (theta * (PI / 180.0)).min(FRAC_PI_2.next_down()),
         rho: options.rho,
-        object_angle: degrees("object-degrees", options.object_degrees, 180.0)?.min(PI),
+        object_angle: (angle * (PI / 180.0)).min(PI),
         lambda: options.lambda,
         scale: options.scale,
         side: match options.side {
@@ -127,9 +132,12 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     ] {
         report.parameters.insert(name.into(), value);
     }
-    let labels = match options.side {
-        Side::Both => None,
-        _ => Some(Arc::new(options.labels.labels(&dual, &mut report, session)?)),
+    let labels = match options.side == Side::Both && !options.labels.are_asked_for() {
+        true => {
+            LabelArguments::without(&mut report);
+            None
+        }
+        false => Some(Arc::new(options.labels.labels(&dual, &mut report, session)?)),
     };
     let asked = MedialOptions { normals, scales: options.scale > 0.0 };
     let medial = Medial::new(&dual, labels.as_ref(), asked, &session.job)?;

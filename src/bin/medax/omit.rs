@@ -33,7 +33,7 @@ impl OmitOptions {
         };
         let lambda = self.lambda.unwrap_or(0.0);
         if !(0.0..FRAC_PI_4).contains(&lambda) {
-            let message = format!("--lambda must lie between 0 and 0.78, not {lambda}");
+            let message = format!("--lambda must lie between 0 and 0.78, not {lambda:?}");
             return Err(Failure::usage(message));
         }
         Ok(PolesOptions { omit, lambda })

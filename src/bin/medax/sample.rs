@@ -38,7 +38,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     options.output.check(&[])?;
     let positive = |name: &str, value: Option<f64>| match value {
         Some(value) if value.is_nan() || value <= 0.0 => {
-            Err(Failure::usage(format!("--{name} must be a positive number, not {value}")))
+            Err(Failure::usage(format!("--{name} must be a positive number, not {value:?}")))
         }
         value => Ok(value.unwrap_or(0.0)),
     };

@@ -83,7 +83,7 @@ fn values(soup: &Soup, name: &str) -> Result<Vec<f64>, Failure> {
 fn square(radii: &mut [f64], points: &Points) -> Result<(), Error> {
     for (row, (radius, &vertex)) in radii.iter_mut().zip(points.vertex_of_row()).enumerate() {
         if *radius < 0.0 && vertex != NONE {
-            let message = format!("a radius must not be negative, and this one is {radius}");
+            let message = format!("a radius must not be negative, and this one is {radius:?}");
             let error = Error::new(Status::InvalidArgument, message);
             return Err(error.at(ElementKind::Row, row as u64));
         }

@@ -40,7 +40,8 @@ impl VariantOptions {
         let mut holes = HoleOptions::default();
         if let Some(degrees) = self.hole_degrees {
             if !(90.0..=180.0).contains(&degrees) {
-                let message = format!("--hole-degrees must lie between 90 and 180, not {degrees}");
+                let message =
+                    format!("--hole-degrees must lie between 90 and 180, not {degrees:?}");
                 return Err(Failure::usage(message));
             }
             // The cosine of 90 degrees comes out as 6e-17.
@@ -62,13 +63,13 @@ impl VariantOptions {
             if let Some(value) = value
                 && !(value.is_finite() && value >= 0.0)
             {
-                let message = format!("{name} must be a length and not negative, not {value}");
+                let message = format!("{name} must be a length and not negative, not {value:?}");
                 return Err(Failure::usage(message));
             }
         }
         match self.offset {
             Some(distance) if !distance.is_finite() => {
-                Err(Failure::usage(format!("--offset must be a number, not {distance}")))
+                Err(Failure::usage(format!("--offset must be a number, not {distance:?}")))
             }
             _ => Ok(()),
         }

@@ -1,6 +1,7 @@
 //! MEDIAL: against the paper, a hand-built case, thresholds, threads, normals, errors.
 
 mod paper;
+mod thin;
 
 use crate::sets::{self, Random, Set};
 use medax::complex::{ComplexParts, Element, Rows, Values};
