@@ -15,7 +15,6 @@ fn boxed(steps: [usize; 3]) -> Vec<[f64; 3]> {
     let all = of(steps[0])
         .flat_map(|i| of(steps[1]).flat_map(move |j| of(steps[2]).map(move |k| [i, j, k])));
     let is_outside = |p: &[usize; 3]| (0..3).any(|k| p[k] == 0 || p[k] == steps[k]);
-    // Steps of a seventh and the like: no coordinate is round.
     all.filter(is_outside).map(|p| [0, 1, 2].map(|k| p[k] as f64 / steps[0] as f64)).collect()
 }
 
@@ -116,8 +115,8 @@ fn equals_rationals(rows: &[[f64; 3]], name: &str) -> usize {
 fn sines_and_ratios_of_rotated_boxes_and_plates_equal_rationals() {
     let single: fn(f64) -> f64 = |x| f64::from(x as f32);
     let mut compared = 0;
-    for (steps, seeds) in [([14; 3], 0..6), ([40, 20, 1], 6..9), ([24, 9, 3], 9..12)] {
-        for seed in seeds {
+    for steps in [[14; 3], [40, 20, 1], [24, 9, 3]] {
+        for seed in 0..4 {
             for (round, digits) in [((|x| x) as fn(f64) -> f64, "f64"), (single, "f32")] {
                 let rows = turned(&boxed(steps), seed, round);
                 compared +=
@@ -126,19 +125,18 @@ fn sines_and_ratios_of_rotated_boxes_and_plates_equal_rationals() {
         }
     }
     println!("{compared} ends of edges");
-    assert!(compared > 5000);
+    assert!(compared > 3000);
 }
 
-/// Samples nearly on a line, one ulp off it, beside others: their triangles need integers.
+/// Rows at the edges of a plate of which every other sample is an ulp or a little more off: pairs of floats do not measure all of their triangles.
 #[test]
 fn triangles_of_samples_one_ulp_off_a_line_are_measured() {
     for step in [f64::EPSILON, 1e-12, 1e-8] {
         let mut random = Random(5);
-        let mut rows: Vec<[f64; 3]> = (0..60).map(|_| random.sphere().map(|x| 3.0 * x)).collect();
-        let off = |i: i32| if i % 2 == 0 { step } else { 0.0 };
-        rows.extend(
-            (-6..=6).map(|i| [1.0 + f64::from(i) / 8.0, 1.0 + f64::from(i) / 8.0 + off(i), 1.0]),
-        );
-        assert!(equals_rationals(&rows, &format!("line, {step}")) > 10, "{step}");
+        let mut moved = |x: f64| if random.unit() < 0.5 { x - step } else { x };
+        let rows: Vec<_> = boxed([20, 20, 1]).into_iter().map(|p| p.map(&mut moved)).collect();
+        let compared = equals_rationals(&rows, &format!("moved by {step:?}"));
+        println!("moved by {step:?}: {compared} ends of edges");
+        assert!(compared > 100, "{step:?}");
     }
 }
