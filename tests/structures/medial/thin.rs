@@ -127,16 +127,3 @@ fn sines_and_ratios_of_rotated_boxes_and_plates_equal_rationals() {
     println!("{compared} ends of edges");
     assert!(compared > 3000);
 }
-
-/// Rows at the edges of a plate of which every other sample is an ulp or a little more off: pairs of floats do not measure all of their triangles.
-#[test]
-fn triangles_of_samples_one_ulp_off_a_line_are_measured() {
-    for step in [f64::EPSILON, 1e-12, 1e-8] {
-        let mut random = Random(5);
-        let mut moved = |x: f64| if random.unit() < 0.5 { x - step } else { x };
-        let rows: Vec<_> = boxed([20, 20, 1]).into_iter().map(|p| p.map(&mut moved)).collect();
-        let compared = equals_rationals(&rows, &format!("moved by {step:?}"));
-        println!("moved by {step:?}: {compared} ends of edges");
-        assert!(compared > 100, "{step:?}");
-    }
-}
