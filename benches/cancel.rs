@@ -9,7 +9,7 @@ use medax::complex::{DecimateOptions, compare};
 use medax::crust::{Label, PowerCrustOptions};
 use medax::dual::{Dual, DualOptions};
 use medax::labels::Labels;
-use medax::medial::{Medial, MedialFilter, MedialOptions};
+use medax::medial::{Medial, MedialFilter, MedialOptions, MedialRule, Side};
 use medax::points::PointsOptions;
 use medax::sample::{SampleOptions, Shape, sample};
 use medax::{Job, Points, Poles, PowerCrust, Result, Triangulation, io};
@@ -112,6 +112,9 @@ fn main() {
     measure("medial", |job| Medial::new(&dual, Some(&labels), scales.clone(), job).map(drop));
     measure("its validate", |job| medial.validate(job).map(drop));
     measure("axis", |job| medial.axis(&MedialFilter::default(), job).map(drop));
+    let (rule, side, clip) = (MedialRule::Every, Side::Both, Some([[-2.0; 3], [2.0; 3]]));
+    let all = MedialFilter { rule, side, clip, ..Default::default() };
+    measure("all facets in a box", |job| medial.axis(&all, job).map(drop));
     measure("vertex normals", |job| surface.vertex_normals(job).map(drop));
     measure("topology", |job| surface.topology(job).map(drop));
     measure("orientation", |job| surface.oriented(job).map(drop));

@@ -2954,7 +2954,8 @@ typedef struct {
      */
     double scale;
     /**
-     * The least corner of a box to which the axis is clipped, if `has_clip` is 1, so that it keeps its unbounded facets.
+     * The least corner of a box to which the axis is clipped, if `has_clip` is 1, so that it keeps its unbounded facets. No
+     * coordinate is beyond 2^200.
      */
     double clip_min[3];
     /**
@@ -3033,14 +3034,16 @@ medax_status medax_medial_build(const medax_dual *dual,
  * and turn counterclockwise as seen from the second sample; they carry `facet`, `samples` (the two ends of the dual edge),
  * `condition` (1 the angle condition, 2 the ratio condition, 3 both, 0 neither), `object_angle` (the least and the largest on the
  * face, in radians), `lambda` (half the length of the dual edge) and `side` (a #medax_side; `MEDAX_SIDE_BOTH` for one that crosses
- * the surface, or where there are no labels). Facets that have no area, since their cells share spheres, are no faces.
+ * the surface, or where there are no labels). Facets that have no area, since their cells share spheres, are no faces. Of a facet
+ * that only touches the box nothing is left.
  *
  * \param medial The facets with what decides.
  * \param filter NULL for the defaults.
  * \param job NULL for a default job.
  * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
  * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for thresholds out of range, an inner or an outer side without labels, a scale
- *         where scales were not calculated; `NULL_ARGUMENT`, `LIMIT_EXCEEDED`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *         where scales were not calculated; `COORDINATE_RANGE` for a box beyond 2^200; `NULL_ARGUMENT`, `LIMIT_EXCEEDED`,
+ *         `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
  *
  * O(f) for f facets, and O(size) of what passes. Since 0.1.
  */

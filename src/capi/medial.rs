@@ -133,7 +133,8 @@ pub struct medax_medial_filter {
     /// The least pairwise scale: the ball of some corner of the facet must have more; 0, the default, asks for nothing, and
     /// anything else for #medax_medial_scales.
     pub scale: f64,
-    /// The least corner of a box to which the axis is clipped, if `has_clip` is 1, so that it keeps its unbounded facets.
+    /// The least corner of a box to which the axis is clipped, if `has_clip` is 1, so that it keeps its unbounded facets. No
+    /// coordinate is beyond 2^200.
     pub clip_min: [f64; 3],
     /// The largest corner of that box.
     pub clip_max: [f64; 3],
@@ -239,14 +240,16 @@ pub unsafe extern "C" fn medax_medial_build(
 /// and turn counterclockwise as seen from the second sample; they carry `facet`, `samples` (the two ends of the dual edge),
 /// `condition` (1 the angle condition, 2 the ratio condition, 3 both, 0 neither), `object_angle` (the least and the largest on the
 /// face, in radians), `lambda` (half the length of the dual edge) and `side` (a #medax_side; `MEDAX_SIDE_BOTH` for one that crosses
-/// the surface, or where there are no labels). Facets that have no area, since their cells share spheres, are no faces.
+/// the surface, or where there are no labels). Facets that have no area, since their cells share spheres, are no faces. Of a facet
+/// that only touches the box nothing is left.
 ///
 /// \param medial The facets with what decides.
 /// \param filter NULL for the defaults.
 /// \param job NULL for a default job.
 /// \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
 /// \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for thresholds out of range, an inner or an outer side without labels, a scale
-///         where scales were not calculated; `NULL_ARGUMENT`, `LIMIT_EXCEEDED`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+///         where scales were not calculated; `COORDINATE_RANGE` for a box beyond 2^200; `NULL_ARGUMENT`, `LIMIT_EXCEEDED`,
+///         `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
 ///
 /// O(f) for f facets, and O(size) of what passes. Since 0.1.
 #[unsafe(no_mangle)]

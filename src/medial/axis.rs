@@ -1,6 +1,6 @@
 //! The axis as a complex: the facets that a filter lets pass, and their closure.
 
-use super::clip::{Clip, Corner};
+use super::clip::{Clip, Corner, Crossings};
 use super::filter::fulfilled;
 use super::{Medial, MedialFilter, Side};
 use crate::complex::{Attribute, Complex, ComplexParts, Element, Rows, Values};
@@ -8,13 +8,12 @@ use crate::error::{Error, Result, Status};
 use crate::index::NONE;
 use crate::job::{Job, Room, Run, Stage, parts};
 use crate::vector::{length, sub};
-use std::collections::HashMap;
 
 impl Medial {
     /// The facets that a filter lets pass, ascending.
     ///
     /// Errors: [`Status::InvalidArgument`] for thresholds out of range, and for an inner or an outer side without
-    /// labels; those of the job. Cost: O(facets), a look at each.
+    /// labels; [`Status::CoordinateRange`] for a box beyond 2^200; those of the job. Cost: O(facets), a look at each.
     pub fn selected(&self, filter: &MedialFilter, job: &Job) -> Result<Vec<u32>> {
         job.run(&[(Stage::Extract, 1.0)], |run| {
             run.enter(Stage::Extract)?;
@@ -92,7 +91,8 @@ impl Medial {
     /// them through their samples, and `scale` if scales were calculated. Faces are in the order of the facets and turn counterclockwise as seen from the second sample; they carry
     /// `facet`, `samples` (the two ends of the dual edge), `condition` (1 the angle condition, 2 the ratio condition, 3 both, 0 neither), `object_angle` (the least and
     /// the largest on the face, in radians, in [0, pi]), `lambda` (half the length of the dual edge) and `side` (0 outer, 1 inner, 2 for one that
-    /// crosses the surface or where there are no labels). Facets that have no area, since their cells share spheres, are no faces.
+    /// crosses the surface or where there are no labels). Facets that have no area, since their cells share spheres, are no faces. Of a facet that only touches the box
+    /// nothing is left.
     ///
     /// Errors: as [`Medial::selected`]. Cost: O(facets), and O(size) of what passes.
     pub fn axis(&self, filter: &MedialFilter, job: &Job) -> Result<Complex> {
@@ -107,39 +107,10 @@ impl Medial {
         filter.check(self)?;
         let mut room = Room::new(run);
         let selected = self.selected_in(filter, &mut room, run)?;
-        let facets = self.facets()?;
         let mut faces = Faces::default();
         match filter.clip {
             None => self.bounded_faces(&selected, &mut faces, &mut room, run)?,
-            Some(clip) => {
-                let mut clip = Clip::new(&self.dual, facets, &self.least_cell, clip);
-                let mut number: HashMap<Corner, u32> = HashMap::new();
-                let mut ring = Vec::new();
-                for facet in run.watch(&selected) {
-                    let &facet = facet?;
-                    let sides = clip.cut(facet as usize);
-                    if sides.len() < 3 {
-                        continue;
-                    }
-                    ring.clear();
-                    let sample = facets.edges()[facet as usize][0];
-                    for &(corner, at, _) in sides {
-                        let next = faces.cells.len() as u32;
-                        let vertex = match number.get(&corner) {
-                            Some(&vertex) => vertex,
-                            None => {
-                                room.insert(&mut number, corner, next)?;
-                                let cell =
-                                    if let Corner::Vertex(cell) = corner { cell } else { NONE };
-                                faces.add_corner(cell, at, sample, &mut room)?;
-                                next
-                            }
-                        };
-                        ring.push(vertex);
-                    }
-                    faces.push(facet, &ring, &mut room)?;
-                }
-            }
+            Some(clip) => self.clipped_faces(&selected, clip, &mut faces, &mut room, run)?,
         }
         drop(selected);
         self.complex(faces, filter, run)
@@ -161,32 +132,55 @@ impl Medial {
             if facets.is_unbounded(facet as usize) {
                 continue;
             }
-            self.ring_of(facet as usize, &mut ring)?;
+            corners(&self.least_cell, facets.ring(facet as usize), &mut ring);
             if ring.len() < 3 {
                 continue;
             }
             let sample = facets.edges()[facet as usize][0];
             for cell in &mut ring {
-                let number = &mut number[*cell as usize];
-                if *number == NONE {
-                    *number = faces.cells.len() as u32;
-                    faces.add_corner(*cell, self.dual.centers()[*cell as usize], sample, room)?;
-                }
-                *cell = *number;
+                let at = self.dual.centers()[*cell as usize];
+                *cell = faces.vertex(*cell, at, sample, &mut number, room)?;
             }
             faces.push(facet, &ring, room)?;
         }
         Ok(())
     }
 
-    /// The distinct Voronoi vertices of a facet, each by its least cell.
-    fn ring_of(&self, facet: usize, ring: &mut Vec<u32>) -> Result<()> {
-        ring.clear();
-        let cells = self.facets()?.ring(facet).iter();
-        ring.extend(cells.map(|&cell| self.least_cell[cell as usize]));
-        ring.dedup();
-        while ring.len() > 1 && ring.first() == ring.last() {
-            ring.pop();
+    /// What of the facets lies in a box and has an area.
+    fn clipped_faces(
+        &self,
+        selected: &[u32],
+        clip: [[f64; 3]; 2],
+        faces: &mut Faces,
+        room: &mut Room<'_>,
+        run: &Run<'_>,
+    ) -> Result<()> {
+        let facets = self.facets()?;
+        let mut number = room.filled(self.least_cell.len(), NONE)?;
+        let mut clip = Clip::new(&self.dual, facets, &self.least_cell, clip, room, run)?;
+        let mut crossings = Crossings::default();
+        let mut ring = Vec::new();
+        for &facet in selected {
+            let corners = clip.cut(facet as usize, run)?;
+            if corners.len() < 3 {
+                continue;
+            }
+            ring.clear();
+            let sample = facets.edges()[facet as usize][0];
+            for (corner, at) in corners {
+                let next = faces.cells.len() as u32;
+                let vertex = match corner {
+                    Corner::Vertex(cell) => faces.vertex(cell, at, sample, &mut number, room)?,
+                    Corner::Crossing(line, plane) => crossings.number(line, plane, next, room)?,
+                    Corner::Own => next,
+                };
+                // New, and no Voronoi vertex.
+                if vertex as usize == faces.cells.len() {
+                    faces.add_corner(NONE, at, sample, room)?;
+                }
+                ring.push(vertex);
+            }
+            faces.push(facet, &ring, room)?;
         }
         Ok(())
     }
@@ -244,6 +238,16 @@ impl Medial {
     }
 }
 
+/// The distinct Voronoi vertices of a ring of cells, each by its least cell.
+pub(super) fn corners(least_cell: &[u32], ring: &[u32], corners: &mut Vec<u32>) {
+    corners.clear();
+    corners.extend(ring.iter().map(|&cell| least_cell[cell as usize]));
+    corners.dedup();
+    while corners.len() > 1 && corners.first() == corners.last() {
+        corners.pop();
+    }
+}
+
 /// Polygons, and the Voronoi facet of each; corners, each with its cell, or [`NONE`] where a box has cut, its place, and a sample on
 /// the ball round it.
 struct Faces {
@@ -269,6 +273,23 @@ impl Default for Faces {
 }
 
 impl Faces {
+    /// The number of a Voronoi vertex, by its least cell.
+    fn vertex(
+        &mut self,
+        cell: u32,
+        at: [f64; 3],
+        sample: u32,
+        numbers: &mut [u32],
+        room: &mut Room<'_>,
+    ) -> Result<u32> {
+        let number = &mut numbers[cell as usize];
+        if *number == NONE {
+            *number = self.cells.len() as u32;
+            self.add_corner(cell, at, sample, room)?;
+        }
+        Ok(*number)
+    }
+
     fn add_corner(
         &mut self,
         cell: u32,

@@ -2,6 +2,7 @@
 
 use super::Medial;
 use crate::error::{Error, Result, Status};
+use crate::points::COORDINATE_MAX;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI};
 
 /// Which of the two conditions of MEDIAL decide. The numbers are the C ABI's.
@@ -51,8 +52,8 @@ pub struct MedialFilter {
     pub scale: f64,
     /// The inner axis by default.
     pub side: Side,
-    /// The corners, least and largest, of a box to which the axis is clipped, so that it keeps its unbounded facets. Without it, as by default, these are left
-    /// out.
+    /// The corners, least and largest, of a box to which the axis is clipped, so that it keeps its unbounded facets; no coordinate is beyond 2^200. Without it, as by
+    /// default, these are left out.
     pub clip: Option<[[f64; 3]; 2]>,
 }
 
@@ -72,7 +73,8 @@ impl Default for MedialFilter {
 }
 
 impl MedialFilter {
-    /// Errors: [`Status::InvalidArgument`] for what is out of range, or asks for what was not calculated.
+    /// Errors: [`Status::InvalidArgument`] for what is out of range, or asks for what was not calculated; [`Status::CoordinateRange`] for a box
+    /// beyond 2^200.
     pub(super) fn check(&self, medial: &Medial) -> Result<()> {
         let refuse = |message: &str| Err(Error::new(Status::InvalidArgument, message));
         if !(0.0..FRAC_PI_2).contains(&self.theta) {
@@ -101,6 +103,12 @@ impl MedialFilter {
         };
         if self.clip.as_ref().is_some_and(|clip| !is_box(clip)) {
             return refuse("a box has a finite least corner and a larger finite largest one");
+        }
+        let is_in_range =
+            |clip: &[[f64; 3]; 2]| clip.as_flattened().iter().all(|x| x.abs() <= COORDINATE_MAX);
+        if self.clip.as_ref().is_some_and(|clip| !is_in_range(clip)) {
+            let message = "a coordinate of the box lies beyond 2^200";
+            return Err(Error::new(Status::CoordinateRange, message));
         }
         Ok(())
     }

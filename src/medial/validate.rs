@@ -1,6 +1,7 @@
 //! The check of the facets' attributes.
 
 use super::Medial;
+use super::reach::norm;
 use crate::error::{ElementKind, Result};
 use crate::index::NONE;
 use crate::job::{Job, Run, Stage};
@@ -16,7 +17,7 @@ impl Medial {
     /// Checks umbrellas and conditions from the other side than they were made: round each Voronoi facet, whose polygon a tangent plane must
     /// cut twice or not at all, the triangles of the umbrellas of the dual edge's ends are found again, and the
     /// conditions from these; disks are followed round. No Voronoi vertex of a sample may be farther than its pole; cells of one Voronoi vertex have one
-    /// centre and one scale; and no corner of a facet is outside its reach. Errors: those of the job. Cost: that of
+    /// centre and one scale; and no corner of a facet is outside its reach, nor are all of them much farther than its nearest point. Errors: those of the job. Cost: that of
     /// [`Medial::new`].
     pub fn validate(&self, job: &Job) -> Result<Validation> {
         job.run(&[(Stage::Validate, 1.0)], |run| {
@@ -119,13 +120,24 @@ impl Medial {
             let [p, q] = facets.edges()[facet].map(|v| coords[v as usize]);
             let middle = [0, 1, 2].map(|k| p[k] / 2.0 + q[k] / 2.0);
             let [nearest, farthest] = self.reaches[facet];
-            let corners = facets.ring(facet).iter();
-            let distances =
-                corners.map(|&cell| length(sub(self.dual.centers()[cell as usize], middle)));
-            let (least, most) =
-                distances.fold((f64::INFINITY, 0.0), |(a, b): (f64, f64), x| (a.min(x), b.max(x)));
-            let end = if facets.is_unbounded(facet) { f64::INFINITY } else { most };
-            let right = nearest >= 0.0 && nearest <= least && near(farthest, end);
+            let ring = facets.ring(facet);
+            let at = |i: usize| self.dual.centers()[ring[i % ring.len()] as usize];
+            let (mut least, mut most, mut rim) = (f64::INFINITY, 0.0f64, 0.0);
+            for i in 0..ring.len() {
+                let distance = norm(sub(at(i), middle));
+                (least, most) = (least.min(distance), most.max(distance));
+                rim += norm(sub(at(i + 1), at(i)));
+            }
+            // The middle and the differences are rounded once each; a few roundings more for the point of a side that is nearest.
+            let rounding = 16.0 * f64::EPSILON * (norm(middle) + most);
+            let is_unbounded = facets.is_unbounded(facet);
+            // From no point of a bounded facet all its corners are farther than half round it.
+            let not_too_near = is_unbounded || nearest + 0.5 * rim + rounding >= least;
+            let end = if is_unbounded { f64::INFINITY } else { most };
+            let right = nearest >= 0.0
+                && nearest <= least + rounding
+                && not_too_near
+                && near(farthest, end);
             report.check(right, ElementKind::Edge, facet as u64, || {
                 format!(
                     "its reach is {:?}, its corners {:?} away",
@@ -324,5 +336,25 @@ mod tests {
         all_noticed(20, |medial, i| medial.least_cell[11 * i + 1] = 0);
         all_noticed(20, |medial, i| medial.reaches[13 * i][i % 2] = 123.0);
         all_noticed(20, |medial, i| medial.reaches[13 * i][0] -= 100.0);
+        // A small facet far from the middle of its edge, said to have it.
+        let facets = |medial: &Medial| {
+            let small = |reach: &[f64; 2]| reach[1] < 1.02 * reach[0] && reach[0] > 0.0;
+            let reaches = medial.reaches.iter().enumerate();
+            reaches.filter(|(_, reach)| small(reach)).map(|(facet, _)| facet).collect::<Vec<_>>()
+        };
+        all_noticed(20, |medial, i| {
+            let facets = facets(medial);
+            let facet = facets[i * facets.len() / 20];
+            medial.reaches[facet][0] = 0.0;
+        });
+    }
+
+    #[test]
+    fn a_last_bit_of_a_reach_is_no_problem() {
+        let mut medial = medial();
+        for reach in &mut medial.reaches {
+            *reach = reach.map(f64::next_up);
+        }
+        assert!(is_valid(&medial));
     }
 }

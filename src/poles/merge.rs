@@ -1,10 +1,10 @@
-//! Cells that share their Voronoi vertex.
+//! Cells that share their Voronoi vertex, and rays that are one unbounded Voronoi edge.
 
-use crate::dual::Dual;
+use crate::dual::{Dual, Facets};
 use crate::error::Result;
 use crate::index::NONE;
 use crate::job::{Room, Run, parts};
-use crate::predicates::insphere;
+use crate::predicates::{insphere, orient3d};
 
 /// For each cell the least cell with the same circumscribed sphere, in exact arithmetic.
 ///
@@ -35,14 +35,45 @@ pub(crate) fn least_cells<'a>(
         Ok((pairs, room))
     })?;
     for pair in run.watch(pairs.iter().flat_map(|(pairs, _)| pairs)) {
-        let [a, b] = pair?.map(|cell| root(&mut parent, cell));
-        parent[a.max(b) as usize] = a.min(b);
+        unite(&mut parent, *pair?);
     }
-    // A parent is less than its child: by the time a cell is reached, its parent points at the root.
-    for cell in run.watch(0..count) {
-        let cell = cell?;
-        parent[cell] = parent[parent[cell] as usize];
+    flatten(&mut parent, run)?;
+    Ok(parent)
+}
+
+/// For each ray of the dual the least that is the same: one whose hull triangle lies in the same plane, in exact arithmetic, and
+/// whose cell has the same Voronoi vertex.
+///
+/// Such triangles share their circumscribed circle and make up one polygon of the hull, so they hang together through edges. Cost: O(facets).
+pub(crate) fn least_rays(
+    dual: &Dual,
+    facets: &Facets,
+    least_cell: &[u32],
+    room: &mut Room<'_>,
+    run: &Run<'_>,
+) -> Result<Vec<u32>> {
+    let t = dual.triangulation();
+    let mut parent = room.collect(0..dual.rays().len() as u32)?;
+    for item in run.watch(facets.rays().iter().zip(facets.edges())) {
+        let (&rays, ends) = item?;
+        if rays[0] == NONE {
+            continue;
+        }
+        let [(come, a), (go, b)] = rays.map(|ray| {
+            let [cell, facet] = dual.rays().facets()[ray as usize];
+            let third = t.facet(cell, facet as usize).into_iter().find(|v| !ends.contains(v));
+            (least_cell[cell as usize], third)
+        });
+        let at = |v: u32| &t.coords()[v as usize];
+        let [p, q] = ends.map(at);
+        if let (Some(a), Some(b)) = (a, b)
+            && come == go
+            && orient3d(p, q, at(a), at(b)).is_zero()
+        {
+            unite(&mut parent, rays);
+        }
     }
+    flatten(&mut parent, run)?;
     Ok(parent)
 }
 
@@ -56,6 +87,20 @@ fn same_sphere(dual: &Dual, cell: usize, neighbor: usize) -> bool {
     dual.radii_squared()[cell] == dual.radii_squared()[neighbor]
         && dual.centers()[cell] == dual.centers()[neighbor]
         && apex().is_some_and(|e| insphere(at(a), at(b), at(c), at(d), at(e)).is_zero())
+}
+
+fn unite(parent: &mut [u32], pair: [u32; 2]) {
+    let [a, b] = pair.map(|item| root(parent, item));
+    parent[a.max(b) as usize] = a.min(b);
+}
+
+/// Points every item at its root. A parent is less than its child: by the time an item is reached, its parent points there.
+fn flatten(parent: &mut [u32], run: &Run<'_>) -> Result<()> {
+    for item in run.watch(0..parent.len()) {
+        let item = item?;
+        parent[item] = parent[parent[item] as usize];
+    }
+    Ok(())
 }
 
 fn root(parent: &mut [u32], mut cell: u32) -> u32 {

@@ -14,7 +14,7 @@ mod touch;
 mod validate;
 
 pub(crate) use feature_size::distances;
-pub(crate) use merge::least_cells;
+pub(crate) use merge::{least_cells, least_rays};
 pub use omit::{Omit, PolesOptions};
 pub(crate) use select::{FirstPoles, Selection, seen_from};
 pub(crate) use tangent::TangentPlane;

@@ -480,6 +480,12 @@ static void a_box(const torus *made) {
     CHECK_STATUS(INVALID_ARGUMENT, medax_medial_axis(medial, &filter, NULL, &clipped));
     filter.clip_min[1] = -HUGE_VAL;
     CHECK_STATUS(INVALID_ARGUMENT, medax_medial_axis(medial, &filter, NULL, &clipped));
+    filter.clip_min[1] = -ldexp(1.25, 200);
+    CHECK_STATUS(COORDINATE_RANGE, medax_medial_axis(medial, &filter, NULL, &clipped));
+    filter.clip_min[1] = -ldexp(1, 200);
+    CHECK_STATUS(OK, medax_medial_axis(medial, &filter, NULL, &clipped));
+    medax_complex_free(clipped);
+    clipped = NO_COMPLEX;
     CHECK(clipped == NO_COMPLEX);
     medax_medial_free(medial);
 }

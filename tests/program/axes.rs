@@ -161,6 +161,18 @@ fn a_box_keeps_unbounded_facets_and_cuts_them() {
 }
 
 #[test]
+fn a_box_that_is_too_large_is_refused_and_nothing_is_written() {
+    let place = Place::new();
+    place.shape(Shape::Torus, "torus.ply");
+    let failure = place.failure("medial torus.ply --side both --clip 1e160 -o out.ply", 1);
+    assert_eq!(failure["status"], "COORDINATE_RANGE", "{failure}");
+    assert_eq!(place.names(), ["torus.ply"]);
+    // What is written can be read, however far the box reaches.
+    place.json("medial torus.ply --side both --rule none --clip 1e50 -o out.ply");
+    io::read_complex(place.path("out.ply"), &Job::default()).unwrap();
+}
+
+#[test]
 fn a_scale_axis_takes_the_place_of_the_shape() {
     let place = Place::new();
     place.shape(Shape::Torus, "torus.ply");

@@ -1,6 +1,8 @@
 //! MEDIAL: against the paper, a hand-built case, thresholds, threads, normals, errors.
 
+mod clip;
 mod paper;
+mod reach;
 mod thin;
 
 use crate::sets::{self, Random, Set};
