@@ -2,7 +2,7 @@
 
 use medax::cocone::Cocone;
 use medax::dual::{Dual, DualOptions};
-use medax::flow::{CriticalClass, Flow};
+use medax::flow::{CoreOptions, Flow};
 use medax::io::read_points;
 use medax::{Job, Labels, Triangulation};
 use std::fmt::Write as _;
@@ -43,11 +43,12 @@ fn cores_of_real_models_have_the_homotopy_type_of_the_solid() {
         let cocone = Cocone::new(&dual, Default::default(), &job).unwrap();
         let labels = Arc::new(Labels::of_cocone(&cocone, &job).unwrap());
         let flow = Flow::new(&dual, &labels, Default::default(), &job).unwrap();
-        let [core, repaired] = [flow.core(CriticalClass::Inner, &job), flow.repaired_core(&job)]
-            .map(|core| {
-                let core = core.unwrap();
-                (core.topology(&job).unwrap().betti, core.faces().len(), core.edges().len())
-            });
+        let [core, repaired] = [false, true].map(|repair| {
+            let options = CoreOptions { repair, ..Default::default() };
+            let core = flow.core(options, &[], &job).unwrap();
+            let core = core.complex();
+            (core.topology(&job).unwrap().betti, core.faces().len(), core.edges().len())
+        });
         let _ = writeln!(table, "{name:<24} {betti:?}: core {core:?}, repaired {repaired:?}");
         if repaired.0 != betti || (alone && core.0 != betti) {
             wrong.push(name);

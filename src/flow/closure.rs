@@ -1,21 +1,10 @@
-//! Flow closures: what can be reached from some elements of a flow complex.
+//! Flow closures: what can be reached from some elements of a flow its.
 
-use super::complex::FlowComplex;
+use super::subdivision::{FlowElement, Subdivision};
 use crate::error::Result;
 use crate::index::NONE;
 use crate::job::{Room, Run};
 use std::mem;
-
-/// An element of a flow complex.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum FlowElement {
-    /// A vertex.
-    Vertex(u32),
-    /// An edge.
-    Edge(u32),
-    /// A face.
-    Face(u32),
-}
 
 /// A set of elements of a flow complex, with each its sides.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,28 +16,63 @@ pub(super) struct Subset {
 
 impl Subset {
     /// The empty set.
-    pub fn new(complex: &FlowComplex, room: &mut Room<'_>) -> Result<Self> {
+    pub fn new(its: &Subdivision, room: &mut Room<'_>) -> Result<Self> {
+        Subset::filled(its, false, room)
+    }
+
+    /// All elements, or none.
+    pub fn filled(its: &Subdivision, value: bool, room: &mut Room<'_>) -> Result<Self> {
         Ok(Subset {
-            has_vertex: room.filled(complex.edge_of_vertex.len(), false)?,
-            has_edge: room.filled(complex.edges.len(), false)?,
-            has_face: room.filled(complex.rim_vertices.len(), false)?,
+            has_vertex: room.filled(its.edge_of_vertex.len(), value)?,
+            has_edge: room.filled(its.edges.len(), value)?,
+            has_face: room.filled(its.rim_vertices.len(), value)?,
         })
     }
 
-    /// Whether the set has an element.
-    pub fn has(&self, element: FlowElement) -> bool {
-        match element {
-            FlowElement::Vertex(v) => self.has_vertex[v as usize],
-            FlowElement::Edge(e) => self.has_edge[e as usize],
-            FlowElement::Face(f) => self.has_face[f as usize],
+    /// The elements, ascending.
+    pub fn list(&self, room: &mut Room<'_>, run: &Run<'_>) -> Result<Vec<FlowElement>> {
+        let mut list = Vec::new();
+        for (i, has) in (0..).zip(run.watch(&self.has_vertex)) {
+            if *has? {
+                room.push(&mut list, FlowElement::Vertex(i))?;
+            }
         }
+        for (i, has) in (0..).zip(run.watch(&self.has_edge)) {
+            if *has? {
+                room.push(&mut list, FlowElement::Edge(i))?;
+            }
+        }
+        for (i, has) in (0..).zip(run.watch(&self.has_face)) {
+            if *has? {
+                room.push(&mut list, FlowElement::Face(i))?;
+            }
+        }
+        Ok(list)
+    }
+
+    fn flag(&mut self, element: FlowElement) -> &mut bool {
+        match element {
+            FlowElement::Vertex(v) => &mut self.has_vertex[v as usize],
+            FlowElement::Edge(e) => &mut self.has_edge[e as usize],
+            FlowElement::Face(f) => &mut self.has_face[f as usize],
+        }
+    }
+
+    /// Adds an element alone; `false` if the set had it.
+    pub fn insert(&mut self, element: FlowElement) -> bool {
+        !mem::replace(self.flag(element), true)
+    }
+
+    /// Takes an element off, alone.
+    pub fn remove(&mut self, element: FlowElement) {
+        *self.flag(element) = false;
     }
 
     /// Adds elements, and all that can be reached from them: what the flow does not leave. Within another set the flow ends
     /// where it leaves that. The point at infinity is no element.
     pub fn add(
         &mut self,
-        complex: &FlowComplex,
+        its: &Subdivision,
         elements: impl IntoIterator<Item = FlowElement>,
         within: Option<&Subset>,
         room: &mut Room<'_>,
@@ -63,36 +87,31 @@ impl Subset {
                 if seen % 4096 == 0 {
                     run.poll()?;
                 }
-                let is_new =
-                    |has: &mut Vec<bool>, i: u32| !mem::replace(&mut has[i as usize], true);
+                if !self.insert(element) {
+                    continue;
+                }
                 match element {
                     FlowElement::Vertex(v) => {
-                        if is_new(&mut self.has_vertex, v) {
-                            let edge = complex.edge_of_vertex[v as usize];
-                            let flows = edge != NONE
-                                && within.is_none_or(|within| within.has_edge[edge as usize]);
-                            if flows {
-                                room.push(&mut waiting, FlowElement::Edge(edge))?;
-                            }
+                        let edge = its.edge_of_vertex[v as usize];
+                        let flows = edge != NONE
+                            && within.is_none_or(|within| within.has_edge[edge as usize]);
+                        if flows {
+                            room.push(&mut waiting, FlowElement::Edge(edge))?;
                         }
                     }
                     FlowElement::Edge(e) => {
-                        if is_new(&mut self.has_edge, e) {
-                            let ends = complex.edges[e as usize].into_iter().filter(|&v| v != NONE);
-                            room.grow(&mut waiting, 3)?;
-                            waiting.extend(ends.map(FlowElement::Vertex));
-                            let face = complex.face_of_edge[e as usize];
-                            let flows = face != NONE
-                                && within.is_none_or(|within| within.has_face[face as usize]);
-                            waiting.extend(flows.then_some(FlowElement::Face(face)));
-                        }
+                        let ends = its.edges[e as usize].into_iter().filter(|&v| v != NONE);
+                        room.grow(&mut waiting, 3)?;
+                        waiting.extend(ends.map(FlowElement::Vertex));
+                        let face = its.face_of_edge[e as usize];
+                        let flows = face != NONE
+                            && within.is_none_or(|within| within.has_face[face as usize]);
+                        waiting.extend(flows.then_some(FlowElement::Face(face)));
                     }
                     FlowElement::Face(f) => {
-                        if is_new(&mut self.has_face, f) {
-                            let rim = complex.rim_of(f);
-                            room.grow(&mut waiting, rim.len())?;
-                            waiting.extend(rim.iter().map(|&e| FlowElement::Edge(e)));
-                        }
+                        let rim = its.rim_of(f);
+                        room.grow(&mut waiting, rim.len())?;
+                        waiting.extend(rim.iter().map(|&e| FlowElement::Edge(e)));
                     }
                 }
             }
@@ -104,7 +123,7 @@ impl Subset {
     /// the same homotopy type.
     pub fn collapse(
         &mut self,
-        complex: &FlowComplex,
+        its: &Subdivision,
         kept: &Subset,
         room: &mut Room<'_>,
         run: &Run<'_>,
@@ -115,7 +134,7 @@ impl Subset {
             run.watch((0..self.has_face.len() as u32).filter(|&f| self.has_face[f as usize]))
         {
             let face = face?;
-            for &edge in complex.rim_of(face) {
+            for &edge in its.rim_of(face) {
                 let (count, last) = &mut faces_of[edge as usize];
                 (*count, *last) = (*count + 1, *last ^ face);
             }
@@ -125,7 +144,7 @@ impl Subset {
             run.watch((0..self.has_edge.len() as u32).filter(|&e| self.has_edge[e as usize]))
         {
             let edge = edge?;
-            for v in complex.edges[edge as usize].into_iter().filter(|&v| v != NONE) {
+            for v in its.edges[edge as usize].into_iter().filter(|&v| v != NONE) {
                 let (count, last) = &mut edges_of[v as usize];
                 (*count, *last) = (*count + 1, *last ^ edge);
             }
@@ -139,7 +158,7 @@ impl Subset {
         let mut done = 0;
         let drop_edge = |subset: &mut Subset, edges_of: &mut Vec<(u32, u32)>, edge: u32| {
             subset.has_edge[edge as usize] = false;
-            for v in complex.edges[edge as usize].into_iter().filter(|&v| v != NONE) {
+            for v in its.edges[edge as usize].into_iter().filter(|&v| v != NONE) {
                 let (count, last) = &mut edges_of[v as usize];
                 (*count, *last) = (*count - 1, *last ^ edge);
             }
@@ -155,7 +174,7 @@ impl Subset {
             }
             self.has_face[face as usize] = false;
             drop_edge(self, &mut edges_of, edge);
-            for &side in complex.rim_of(face) {
+            for &side in its.rim_of(face) {
                 let (count, last) = &mut faces_of[side as usize];
                 (*count, *last) = (*count - 1, *last ^ face);
                 if *count == 1 {
@@ -180,7 +199,7 @@ impl Subset {
             }
             self.has_vertex[vertex as usize] = false;
             drop_edge(self, &mut edges_of, edge);
-            for v in complex.edges[edge as usize].into_iter().filter(|&v| v != NONE) {
+            for v in its.edges[edge as usize].into_iter().filter(|&v| v != NONE) {
                 if edges_of[v as usize].0 == 1 {
                     room.push(&mut free, v)?;
                 }

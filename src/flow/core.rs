@@ -1,208 +1,217 @@
-//! The core: the flow closure of the critical points of the medial axis.
+//! The core: the flow closure of the critical points of the medial axis, alone or with that of Voronoi facets.
 
-use super::Flow;
-use super::closure::{FlowElement, Subset};
+use super::closure::Subset;
 use super::critical::CriticalClass;
-use super::drivers::Driver;
-use crate::complex::{Complex, ComplexParts, DisjointSets, Rows};
-use crate::error::Result;
-use crate::index::NONE;
+use super::simplex::{Simplex, VoronoiSet};
+use super::source::Source;
+use super::subdivision::Subdivision;
+use super::upstream::Upstream;
+use super::{Flow, inner};
+use crate::complex::Complex;
+use crate::error::{ElementKind, Error, Result, Status};
 use crate::job::{Job, Room, Run, Stage};
+use crate::medial::Side;
+
+/// Which core.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CoreOptions {
+    /// On which side of the surface; the inner core by default.
+    pub side: Side,
+    /// Add as much of the flow of other critical points as it takes for the core to have the homotopy type of the labelled solid, however sparse the sample is; on by
+    /// default. It does nothing to the outer core.
+    pub repair: bool,
+}
+
+impl Default for CoreOptions {
+    fn default() -> Self {
+        CoreOptions { side: Side::Inner, repair: true }
+    }
+}
+
+/// A core, and what became of the facets by which it was to be extended.
+#[derive(Clone, Debug)]
+pub struct Core {
+    pub(super) complex: Complex,
+    pub(super) unbounded: usize,
+    pub(super) taken: usize,
+    pub(super) excluded: Excluded,
+}
+
+/// The facets that cannot extend a core (Giesen, Ramos, Sadri, theorem 3.17), each counted once.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Excluded {
+    /// Those that cross the surface: the dual edge is one of its edges.
+    pub of_surface: usize,
+    /// Those on the other side of the surface.
+    pub elsewhere: usize,
+    /// Those whose flow comes to a critical point of the surface, or of the other side.
+    pub leaving: usize,
+}
+
+impl Core {
+    /// The core as faces and loose edges. Vertices carry `radius` (their distance from the samples, in input units), `cell` (of which they are the Voronoi vertex, or
+    /// [`NONE`](crate::NONE)), and `critical` (the row of the critical point that they are, or `NONE`); faces carry `facet` (the part of which they are),
+    /// `samples` (the two ends of the facet's dual edge) and `lambda` (half its length); edges, those of no face, carry `samples` (the corners of the triangle whose Voronoi edge they
+    /// are a part of; or the two samples of the facet in which they follow an orbit, then `NONE`).
+    pub fn complex(&self) -> &Complex {
+        &self.complex
+    }
+
+    /// The number of faces and loose edges that are left out, since they are unbounded.
+    pub fn unbounded(&self) -> usize {
+        self.unbounded
+    }
+
+    /// The number of facets by which the core was extended.
+    pub fn taken(&self) -> usize {
+        self.taken
+    }
+
+    /// The facets that were left out, by their kinds.
+    pub fn excluded(&self) -> Excluded {
+        self.excluded
+    }
+}
 
 impl Flow {
-    /// The core of one class of critical points: the union of their unstable manifolds, which has the homotopy type of the solid if
-    /// the sample is dense enough (Giesen, Ramos, Sadri, theorem 3.16).
-    pub fn core(&self, class: CriticalClass, job: &Job) -> Result<Complex> {
-        job.run(&[(Stage::Extract, 1.0)], |run| {
-            run.enter(Stage::Extract)?;
-            let mut room = Room::new(run);
-            let mut core = Subset::new(&self.complex, &mut room)?;
-            core.add(&self.complex, self.elements_of_class(class), None, &mut room, run)?;
-            self.complex_of(&core, run)
+    /// The core of one side: the union of the unstable manifolds of the critical points of its medial axis, which has the homotopy type of the solid if
+    /// the sample is dense enough (Giesen, Ramos, Sadri, theorem 3.16); extended by the flow closures of Voronoi facets, but for those that cannot extend it (theorem 3.17).
+    ///
+    /// Errors: [`Status::InvalidArgument`] for a facet that the dual does not have; those of the job. Cost: O(n), and O(size) of the part of the flow complex that is reached.
+    pub fn core(&self, options: CoreOptions, facets: &[u32], job: &Job) -> Result<Core> {
+        job.run(&[(Stage::Flow, 0.8), (Stage::Extract, 0.2)], |run| {
+            run.enter(Stage::Flow)?;
+            self.core_in(options, facets, run)
         })
     }
 
-    /// The inner core, with as much of the flow of other critical points as it takes to have the homotopy type of the labelled solid.
-    pub fn repaired_core(&self, job: &Job) -> Result<Complex> {
-        job.run(&[(Stage::Extract, 1.0)], |run| {
-            run.enter(Stage::Extract)?;
-            let mut room = Room::new(run);
-            let inner = self.inner(&mut room, run)?;
-            let mut least = Subset::new(&self.complex, &mut room)?;
-            let elements = self.elements_of_class(CriticalClass::Inner);
-            least.add(&self.complex, elements, Some(&inner), &mut room, run)?;
-            let mut all = Subset::new(&self.complex, &mut room)?;
-            let elements =
-                (0..self.critical.len()).flat_map(|i| self.elements_of(self.critical.drivers()[i]));
-            let elements = elements.filter(|&element| inner.has(element));
-            all.add(&self.complex, elements, Some(&inner), &mut room, run)?;
-            all.add(&self.complex, self.leaks(&inner), Some(&inner), &mut room, run)?;
-            all.collapse(&self.complex, &least, &mut room, run)?;
-            self.complex_of(&all, run)
-        })
-    }
-
-    /// The elements of a set that flow out of it.
-    fn leaks<'a>(&'a self, set: &'a Subset) -> impl Iterator<Item = FlowElement> + 'a {
-        let complex = &self.complex;
-        let vertices = (0..).zip(&complex.edge_of_vertex).filter(|&(v, &edge)| {
-            set.has_vertex[v as usize] && edge != NONE && !set.has_edge[edge as usize]
-        });
-        let edges = (0..).zip(&complex.face_of_edge).filter(|&(e, &face)| {
-            set.has_edge[e as usize] && face != NONE && !set.has_face[face as usize]
-        });
-        let vertices = vertices.map(|(v, _): (u32, _)| FlowElement::Vertex(v));
-        vertices.chain(edges.map(|(e, _): (u32, _)| FlowElement::Edge(e)))
-    }
-
-    /// The parts of Voronoi faces that have inner cells all round them: dual to the simplices inside the labelled solid, and so of its homotopy type.
-    fn inner(&self, room: &mut Room<'_>, run: &Run<'_>) -> Result<Subset> {
-        let complex = &self.complex;
-        let t = self.dual.triangulation();
-        let mut inner = Subset::new(complex, room)?;
-        let is_inner = |cell: u32| cell != NONE && self.labels.is_inner()[cell as usize];
-        for cell in run.watch(0..t.cells().len()) {
-            let cell = cell?;
-            inner.has_vertex[cell] = is_inner(cell as u32);
-        }
-        for triangle in run.watch(0..self.triangles.len() as u32) {
-            let triangle = triangle?;
-            if self.triangles.cells(t, triangle).into_iter().all(is_inner) {
-                let edges = &complex.edges_of_triangle;
-                for edge in edges[triangle as usize]..edges[triangle as usize + 1] {
-                    inner.has_edge[edge as usize] = true;
-                    for v in complex.edges[edge as usize] {
-                        inner.has_vertex[v as usize] = true;
-                    }
-                }
-            }
-        }
-        let facets = self.facets()?;
-        for facet in run.watch(0..facets.len()) {
-            let facet = facet?;
-            let ring = facets.ring(facet);
-            if !facets.is_unbounded(facet) && ring.iter().all(|&cell| is_inner(cell)) {
-                for face in complex.faces_of_facet[facet]..complex.faces_of_facet[facet + 1] {
-                    inner.has_face[face as usize] = true;
-                    for &edge in complex.rim_of(face) {
-                        inner.has_edge[edge as usize] = true;
-                    }
-                }
-            }
-        }
-        for facet in self.openings(room, run)? {
-            inner.has_face[complex.faces_of_facet[facet as usize] as usize] = false;
-        }
-        Ok(inner)
-    }
-
-    /// Critical facets through which the Voronoi cells of samples inside the solid, which no surface has, open into each other and to those of the surface's
-    /// samples: a shortest forest. Without them each such cell were a void.
-    fn openings(&self, room: &mut Room<'_>, run: &Run<'_>) -> Result<Vec<u32>> {
-        let t = self.dual.triangulation();
-        let samples = t.coords().len() as u32;
-        // All others are one.
-        let mut set = room.collect(0..samples)?;
-        for cell in run.watch(0..t.cells().len()) {
-            let cell = cell?;
-            for (slot, &v) in t.cells()[cell].iter().enumerate() {
-                let at_hull = (0..4).any(|i| i != slot && t.neighbors()[cell][i] == NONE);
-                if at_hull || !self.labels.is_inner()[cell] {
-                    set[v as usize] = samples;
-                }
-            }
-        }
-        let facets = self.facets()?;
-        let mut openings: Vec<(f64, u32)> = Vec::new();
-        for (driver, &distance) in self.critical.drivers().iter().zip(self.critical.distances()) {
-            if let Driver::Edge(facet) = *driver {
-                let [p, q] = facets.edges()[facet as usize].map(|v| set[v as usize]);
-                if p != q {
-                    room.push(&mut openings, (distance, facet))?;
-                }
-            }
-        }
-        openings.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        let mut sets = DisjointSets::new(samples as usize + 1, run)?;
-        openings.retain(|&(_, facet)| {
-            let [p, q] = facets.edges()[facet as usize].map(|v| set[v as usize]);
-            sets.join(p, q)
-        });
-        room.collect(openings.into_iter().map(|(_, facet)| facet))
-    }
-
-    fn elements_of_class(&self, class: CriticalClass) -> impl Iterator<Item = FlowElement> + '_ {
-        let critical = self.critical.drivers().iter().zip(self.critical.classes());
-        critical
-            .filter(move |(_, its)| **its == class)
-            .flat_map(|(&driver, _)| self.elements_of(driver))
-    }
-
-    /// The elements from which the unstable manifold of a critical point is reached: those of its Voronoi face.
-    pub(super) fn elements_of(&self, driver: Driver) -> Vec<FlowElement> {
-        match driver {
-            Driver::Sample(_) => Vec::new(),
-            Driver::Edge(facet) => {
-                let faces = &self.complex.faces_of_facet;
-                (faces[facet as usize]..faces[facet as usize + 1]).map(FlowElement::Face).collect()
-            }
-            Driver::Triangle(triangle) => {
-                let edges = &self.complex.edges_of_triangle;
-                let edges = edges[triangle as usize]..edges[triangle as usize + 1];
-                edges.map(FlowElement::Edge).collect()
-            }
-            Driver::Cell(cell) => vec![FlowElement::Vertex(cell)],
-        }
-    }
-
-    /// The position of a vertex of the flow complex.
-    fn place(&self, vertex: u32) -> [f64; 3] {
-        let centers = self.dual.centers();
-        match centers.get(vertex as usize) {
-            Some(center) => *center,
-            None => self.complex.points[vertex as usize - centers.len()],
-        }
-    }
-
-    /// A closed set as a complex, but for what is unbounded.
-    fn complex_of(&self, set: &Subset, run: &Run<'_>) -> Result<Complex> {
+    /// [`Flow::core`] as a stage of a larger build.
+    pub(crate) fn core_in(
+        &self,
+        options: CoreOptions,
+        facets: &[u32],
+        run: &Run<'_>,
+    ) -> Result<Core> {
+        let source = self.source()?;
         let mut room = Room::new(run);
-        let complex = &self.complex;
-        let mut number = room.filled(set.has_vertex.len(), NONE)?;
-        let mut vertices = Vec::new();
-        for vertex in run.watch(0..number.len()) {
-            let vertex = vertex?;
-            if set.has_vertex[vertex] {
-                number[vertex] = vertices.len() as u32;
-                room.push(&mut vertices, self.place(vertex as u32))?;
+        let (mut candidates, mut excluded) =
+            self.candidates(&source, options.side, facets, &mut room, run)?;
+        let of_core = || self.simplices_of(options.side);
+        let inner = match options.repair && options.side == Side::Inner {
+            true => Some(inner::inner(self, &source, &mut room, run)?),
+            false => None,
+        };
+        let flowing = candidates.iter().map(|&facet| Simplex::Edge(facet));
+        let mut set = match &inner {
+            None => {
+                let seeds = of_core().chain(flowing);
+                VoronoiSet::touched(&source, seeds, None, &mut room, run)?
             }
+            Some(inner) => {
+                let seeds = inner::seeds(self, &source, inner).filter(|&face| inner.has(face));
+                VoronoiSet::touched(&source, seeds, Some(inner), &mut room, run)?
+            }
+        };
+        if inner.is_some() && !candidates.is_empty() {
+            let flowing = candidates.iter().map(|&facet| Simplex::Edge(facet));
+            set.unite(&VoronoiSet::touched(&source, flowing, None, &mut room, run)?);
         }
-        let mut is_side = room.filled(set.has_edge.len(), false)?;
-        let mut faces = Rows::default();
-        let mut row: Vec<u32> = Vec::new();
-        for face in run.watch(0..set.has_face.len()) {
-            let face = face?;
-            let rim = complex.rim_vertices.row(face);
-            if !set.has_face[face] || rim.contains(&NONE) {
-                continue;
-            }
-            let begin = complex.rim_vertices.offsets()[face] as usize;
-            for &edge in &complex.rim_edges[begin..begin + rim.len()] {
-                is_side[edge as usize] = true;
-            }
-            row.clear();
-            row.extend(rim.iter().map(|&v| number[v as usize]));
-            faces.push(&row)?;
+        let its = Subdivision::new(&source, &set, &mut room, run)?;
+        drop(set);
+        run.enter(Stage::Extract)?;
+        let before = candidates.len();
+        if !candidates.is_empty() {
+            let leaving = self.leaving(&its, options.side, &mut room, run)?;
+            candidates
+                .retain(|&facet| !its.faces_of(facet).any(|face| leaving.has_face[face as usize]));
         }
-        let mut edges = Vec::new();
-        for edge in run.watch(0..is_side.len()) {
-            let edge = edge?;
-            let ends = complex.edges[edge];
-            if set.has_edge[edge] && !is_side[edge] && !ends.contains(&NONE) {
-                room.push(&mut edges, ends.map(|v| number[v as usize]))?;
-            }
+        excluded.leaving = before - candidates.len();
+        let flowing = candidates.iter().map(|&facet| Simplex::Edge(facet));
+        let mut core = Subset::new(&its, &mut room)?;
+        let within = match &inner {
+            Some(inner) => Some(inner::elements(&its, &source, inner, &mut room, run)?),
+            None => None,
+        };
+        let seeds = of_core().chain(flowing).flat_map(|face| its.elements_of(face));
+        core.add(&its, seeds, within.as_ref(), &mut room, run)?;
+        if let (Some(inner), Some(within)) = (&inner, &within) {
+            let mut all = core.clone();
+            let seeds = inner::seeds(self, &source, inner).filter(|&face| inner.has(face));
+            let seeds = seeds.flat_map(|face| its.elements_of(face));
+            all.add(&its, seeds, Some(within), &mut room, run)?;
+            all.collapse(&its, &core, &mut room, run)?;
+            core = all;
         }
-        let parts = ComplexParts { vertices, faces, edges, ..ComplexParts::default() };
-        Complex::sound_in(parts, run)
+        let (complex, unbounded) = self.complex_of(&its, &core, run)?;
+        Ok(Core { complex, unbounded, taken: candidates.len(), excluded })
+    }
+
+    /// The critical points of the medial axis on one side.
+    fn simplices_of(&self, side: Side) -> impl Iterator<Item = Simplex> + '_ {
+        let critical = self.critical.simplices().iter().zip(self.critical.classes());
+        critical.filter(move |(_, its)| its.is_on(side)).map(|(&simplex, _)| simplex)
+    }
+
+    /// The facets of a list that lie on one side, without repetition.
+    fn candidates(
+        &self,
+        source: &Source<'_>,
+        side: Side,
+        facets: &[u32],
+        room: &mut Room<'_>,
+        run: &Run<'_>,
+    ) -> Result<(Vec<u32>, Excluded)> {
+        let (mut candidates, mut excluded) = (room.vec(facets.len())?, Excluded::default());
+        for facet in run.watch(facets) {
+            let &facet = facet?;
+            if facet as usize >= source.facets.len() {
+                let message = format!("there are only {} Voronoi facets", source.facets.len());
+                return Err(Error::new(Status::InvalidArgument, message)
+                    .at(ElementKind::Face, u64::from(facet)));
+            }
+            candidates.push(facet);
+        }
+        candidates.sort_unstable();
+        candidates.dedup();
+        candidates.retain(|&facet| match source.side_of(&self.labels, Simplex::Edge(facet)) {
+            Side::Both => {
+                excluded.of_surface += 1;
+                false
+            }
+            its if side != Side::Both && its != side => {
+                excluded.elsewhere += 1;
+                false
+            }
+            _ => true,
+        });
+        Ok((candidates, excluded))
+    }
+
+    /// The elements whose flow comes to a critical point that does not belong to the axis of a side.
+    fn leaving(
+        &self,
+        its: &Subdivision,
+        side: Side,
+        room: &mut Room<'_>,
+        run: &Run<'_>,
+    ) -> Result<Subset> {
+        let upstream = Upstream::new(its, room, run)?;
+        let others = self.critical.simplices().iter().zip(self.critical.classes());
+        let others = others.filter(|(_, class)| !class.is_on(side));
+        let ends = others.flat_map(|(&simplex, _)| its.elements_at(simplex));
+        let mut leaving = Subset::new(its, room)?;
+        upstream.add_to(&mut leaving, ends, room, run)?;
+        Ok(leaving)
+    }
+}
+
+impl CriticalClass {
+    /// Whether a point belongs to the medial axis of a side.
+    fn is_on(self, side: Side) -> bool {
+        match self {
+            CriticalClass::Surface => false,
+            CriticalClass::Inner => side != Side::Outer,
+            CriticalClass::Outer => side != Side::Inner,
+        }
     }
 }

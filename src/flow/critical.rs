@@ -1,13 +1,15 @@
 //! Critical points of the distance to the samples, and which of them belong to the surface.
 
-use super::complex::Source;
-use super::drivers::Driver;
+use super::simplex::Simplex;
+use super::source::Source;
 use crate::error::Result;
 use crate::index::NONE;
 use crate::job::{Room, Run, parts};
 use crate::labels::Labels;
+use crate::medial::Side;
 use crate::poles::FirstPoles;
-use crate::vector::{Vec3, add, dot, length, scale, sub};
+use crate::triangulation::Incidence;
+use crate::vector::{Vec3, dot, length, sub};
 
 /// Where a critical point belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -21,27 +23,28 @@ pub enum CriticalClass {
     Outer = 2,
 }
 
-/// The critical points of index 1 to 3 of the distance to the samples. Those of index 0 are the samples themselves.
+/// The critical points of the distance to the samples.
 ///
-/// Such a point is where a Delaunay simplex meets its dual face of the Voronoi diagram: the middle of an edge, the centre of a triangle, the centre of a
-/// cell (Giesen, Ramos, Sadri, section 2). Which do is decided exactly, with the ties that right angles and cospherical samples make broken by
+/// Such a point is where a Delaunay simplex meets its dual face of the Voronoi diagram: a sample, the middle of an edge, the centre of a triangle, the centre of a
+/// cell (Giesen, Ramos, Sadri, section 2); its index is the dimension of the simplex. Which do is decided exactly, with the ties that right angles and cospherical samples make broken by
 /// the perturbation of the triangulation, so that c0 - c1 + c2 - c3 = 1 always.
 ///
-/// Invariants: one row for each in every array; rows ascend by index, then by simplex.
+/// Invariants: one row for each in every array; rows ascend by index, then by simplex: the first are the samples.
 #[derive(Clone, Debug, Default)]
 pub struct CriticalPoints {
-    pub(super) drivers: Vec<Driver>,
-    pub(super) points: Vec<Vec3>,
-    pub(super) distances: Vec<f64>,
-    pub(super) corners: Vec<[u32; 4]>,
-    pub(super) slopes: Vec<f64>,
-    pub(super) classes: Vec<CriticalClass>,
+    simplices: Vec<Simplex>,
+    points: Vec<Vec3>,
+    distances: Vec<f64>,
+    corners: Vec<[u32; 4]>,
+    slopes: Vec<f64>,
+    shares: Vec<f64>,
+    classes: Vec<CriticalClass>,
 }
 
 impl CriticalPoints {
     /// The simplex of each.
-    pub fn drivers(&self) -> &[Driver] {
-        &self.drivers
+    pub fn simplices(&self) -> &[Simplex] {
+        &self.simplices
     }
 
     /// Where each lies.
@@ -54,15 +57,29 @@ impl CriticalPoints {
         &self.distances
     }
 
-    /// The samples nearest to each, two, three or four, then [`NONE`]: the vertices of its simplex.
+    /// The samples nearest to each, one to four, then [`NONE`]: the vertices of its simplex.
     pub fn corners(&self) -> &[[u32; 4]] {
         &self.corners
     }
 
     /// For each the mean, over its nearest samples, of the cosine of the angle between the direction from the sample and the sample's pole vector, in absolute value:
-    /// nearly 0 at the surface, nearly 1 at the medial axis.
+    /// nearly 0 at the surface, nearly 1 at the medial axis. 0 for samples.
     pub fn slopes(&self) -> &[f64] {
         &self.slopes
+    }
+
+    /// For each its distance by that of the farthest Voronoi vertices of its nearest samples on its side of the surface, the mean over these: nearly 0 at the surface; nearly 1 at the
+    /// inner medial axis, as at the outer where the samples are not on the hull. It decides nothing.
+    pub fn shares(&self) -> &[f64] {
+        &self.shares
+    }
+
+    /// The largest slope of those that belong to the surface by their slope, and the least of the others, 1 if there are none: the wider apart the two, the clearer
+    /// the decision.
+    pub fn gap(&self, least_slope: f64) -> [f64; 2] {
+        let below = self.slopes.iter().filter(|&&slope| slope <= least_slope);
+        let above = self.slopes.iter().filter(|&&slope| slope > least_slope);
+        [below.copied().fold(0.0, f64::max), above.copied().fold(1.0, f64::min)]
     }
 
     /// Where each belongs.
@@ -72,23 +89,27 @@ impl CriticalPoints {
 
     /// The number of them.
     pub fn len(&self) -> usize {
-        self.drivers.len()
+        self.simplices.len()
     }
 
     /// Whether there is none; never so.
     pub fn is_empty(&self) -> bool {
-        self.drivers.is_empty()
+        self.simplices.is_empty()
     }
 
-    pub(super) fn new(
-        source: &Source<'_>,
-        saddles: &[u32],
-        room: &mut Room<'_>,
-        run: &Run<'_>,
-    ) -> Result<Self> {
+    /// The row of the critical point of a simplex, if it has one.
+    pub fn row_of(&self, simplex: Simplex) -> Option<u32> {
+        self.simplices.binary_search(&simplex).ok().map(|row| row as u32)
+    }
+
+    pub(super) fn new(source: &Source<'_>, room: &mut Room<'_>, run: &Run<'_>) -> Result<Self> {
         let t = source.dual.triangulation();
         let at = |v: u32| t.coords()[v as usize];
         let mut points = CriticalPoints::default();
+        for v in run.watch(0..t.coords().len() as u32) {
+            let v = v?;
+            points.push(source, Simplex::Sample(v), at(v), room)?;
+        }
         let mut near = room.filled(source.facets.len(), false)?;
         for longest in run.watch(&source.drivers.longest) {
             if let Some(near) = near.get_mut(*longest? as usize) {
@@ -98,22 +119,22 @@ impl CriticalPoints {
         for facet in run.watch(0..source.facets.len()) {
             let facet = facet?;
             if !near[facet] {
-                let [p, q] = source.facets.edges()[facet];
-                let middle = scale(add(at(p), at(q)), 0.5);
-                points.push(Driver::Edge(facet as u32), middle, [p, q, NONE, NONE], at(p), room)?;
+                let [p, q] = source.facets.edges()[facet].map(at);
+                points.push(source, Simplex::Edge(facet as u32), middle(p, q), room)?;
             }
         }
-        for &triangle in saddles {
-            let [p, q, r] = source.triangles.corners(t, triangle);
-            let center = source.center_of_triangle(triangle);
-            points.push(Driver::Triangle(triangle), center, [p, q, r, NONE], at(p), room)?;
+        for triangle in run.watch(0..source.triangles.len() as u32) {
+            let triangle = triangle?;
+            if source.is_saddle(triangle) {
+                let center = source.center_of_triangle(triangle);
+                points.push(source, Simplex::Triangle(triangle), center, room)?;
+            }
         }
         for cell in run.watch(0..t.cells().len() as u32) {
             let cell = cell?;
             if source.drivers.beyond[cell as usize] == 0 {
-                let corners = t.cells()[cell as usize];
                 let center = source.dual.centers()[cell as usize];
-                points.push(Driver::Cell(cell), center, corners, at(corners[0]), room)?;
+                points.push(source, Simplex::Cell(cell), center, room)?;
             }
         }
         Ok(points)
@@ -121,13 +142,14 @@ impl CriticalPoints {
 
     fn push(
         &mut self,
-        driver: Driver,
+        source: &Source<'_>,
+        simplex: Simplex,
         at: Vec3,
-        corners: [u32; 4],
-        sample: Vec3,
         room: &mut Room<'_>,
     ) -> Result<()> {
-        room.push(&mut self.drivers, driver)?;
+        let corners = source.corners(simplex);
+        let sample = source.dual.triangulation().coords()[corners[0] as usize];
+        room.push(&mut self.simplices, simplex)?;
         room.push(&mut self.points, at)?;
         room.push(&mut self.distances, length(sub(at, sample)))?;
         room.push(&mut self.corners, corners)
@@ -138,61 +160,85 @@ impl CriticalPoints {
     pub(super) fn separate(
         &mut self,
         source: &Source<'_>,
-        poles: &FirstPoles,
         labels: &Labels,
         least_slope: f64,
         room: &mut Room<'_>,
         run: &Run<'_>,
     ) -> Result<()> {
         let t = source.dual.triangulation();
-        let slope = |i: usize| {
-            let corners = self.corners[i].iter().filter(|&&v| v != NONE);
-            let (mut sum, mut count) = (0.0, 0.0);
-            for &v in corners {
-                let s = t.coords()[v as usize];
-                let pole = match poles.cells[v as usize] {
-                    NONE => poles.normals[v as usize],
-                    cell => sub(source.dual.centers()[cell as usize], s),
-                };
-                let to = sub(self.points[i], s);
-                sum += (dot(to, pole) / (length(to) * length(pole))).abs();
-                count += 1.0;
-            }
-            sum / count
-        };
-        let slopes = run.in_parallel(parts(self.len()), |range| {
+        let incidence = t.incidence_in(run)?;
+        let poles =
+            FirstPoles::new(source.dual, t.coords().len(), &incidence, [0.8, 0.9], room, run)?;
+        let parts = run.in_parallel(parts(self.len()), |range| {
             run.poll()?;
             let mut room = Room::new(run);
-            Ok((room.collect(range.map(slope))?, room))
+            let measures = range.map(|i| self.measure(i, source, &poles, &incidence));
+            Ok((room.collect(measures)?, room))
         })?;
         self.slopes = room.vec(self.len())?;
-        for (part, _) in slopes {
-            self.slopes.extend(part);
+        self.shares = room.vec(self.len())?;
+        for [slope, share] in parts.iter().flat_map(|(part, _)| part) {
+            self.slopes.push(*slope);
+            self.shares.push(*share);
         }
+        drop(parts);
         self.classes = room.vec(self.len())?;
         for i in run.watch(0..self.len()) {
             let i = i?;
-            let is_inner = |cell: u32| cell != NONE && labels.is_inner()[cell as usize];
-            let mut cells = Vec::new();
-            match self.drivers[i] {
-                Driver::Sample(_) => (),
-                Driver::Edge(facet) => {
-                    cells.extend_from_slice(source.facets.ring(facet as usize));
-                    if source.facets.is_unbounded(facet as usize) {
-                        cells.push(NONE);
-                    }
-                }
-                Driver::Triangle(triangle) => cells.extend(source.triangles.cells(t, triangle)),
-                Driver::Cell(cell) => cells.push(cell),
-            }
-            let inner = cells.iter().filter(|&&cell| is_inner(cell)).count();
             let class = match self.slopes[i] > least_slope {
-                true if inner == cells.len() => CriticalClass::Inner,
-                true if inner == 0 => CriticalClass::Outer,
-                _ => CriticalClass::Surface,
+                true => match source.side_of(labels, self.simplices[i]) {
+                    Side::Inner => CriticalClass::Inner,
+                    Side::Outer => CriticalClass::Outer,
+                    Side::Both => CriticalClass::Surface,
+                },
+                false => CriticalClass::Surface,
             };
             self.classes.push(class);
         }
         Ok(())
     }
+
+    /// The slope and the share of a critical point.
+    fn measure(
+        &self,
+        i: usize,
+        source: &Source<'_>,
+        poles: &FirstPoles,
+        incidence: &Incidence,
+    ) -> [f64; 2] {
+        let t = source.dual.triangulation();
+        if self.simplices[i].dimension() == 0 {
+            return [0.0; 2];
+        }
+        let (mut slope, mut share, mut count) = (0.0, 0.0, 0.0);
+        for &v in self.corners[i].iter().filter(|&&v| v != NONE) {
+            let s = t.coords()[v as usize];
+            let center = |cell: u32| sub(source.dual.centers()[cell as usize], s);
+            let pole = match poles.cells[v as usize] {
+                NONE => poles.normals[v as usize],
+                cell => center(cell),
+            };
+            let to = sub(self.points[i], s);
+            slope += (dot(to, pole) / (length(to) * length(pole))).abs();
+            let side = dot(to, pole);
+            let mut farthest = self.distances[i];
+            for &cell in incidence.cells_of(v) {
+                let neighbors = t.neighbors()[cell as usize].iter().zip(t.cells()[cell as usize]);
+                let ray = neighbors.into_iter().any(|(&c, corner)| c == NONE && corner != v);
+                let center = center(cell);
+                // By the sides of the plane through the sample: the pole is its normal.
+                if dot(center, pole) * side > 0.0 {
+                    farthest = farthest.max(if ray { f64::INFINITY } else { length(center) });
+                }
+            }
+            share += self.distances[i] / farthest;
+            count += 1.0;
+        }
+        [slope / count, share / count]
+    }
+}
+
+/// The middle of two points.
+pub(super) fn middle(p: Vec3, q: Vec3) -> Vec3 {
+    [0, 1, 2].map(|k| 0.5 * p[k] + 0.5 * q[k])
 }

@@ -1,10 +1,9 @@
 //! Cuts: where the orbits of Voronoi vertices cross Voronoi facets.
 
-use super::drivers::Drivers;
 use super::outline::{Corner, Outline};
 use super::side::View;
-use super::triangles::Triangles;
-use crate::dual::{Dual, Facets};
+use super::simplex::VoronoiSet;
+use super::source::Source;
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
 use crate::job::{PART, Room, Run};
@@ -45,9 +44,9 @@ pub(super) struct Hit {
     next: u32,
 }
 
-/// All cuts.
+/// The cuts of a set of Voronoi faces.
 ///
-/// Every Voronoi vertex whose driver is the middle of an edge flows into that edge's facet, and every point where a facet's flow leaves through
+/// Every Voronoi vertex of the set whose driver is the middle of an edge flows into that edge's facet, and every point where a facet's flow leaves through
 /// the Voronoi edge of an obtuse triangle flows on into the facet of its longest edge: so the orbits of Voronoi vertices run through facets until they come to
 /// a Voronoi edge that they follow, or to infinity. Since the longest edge of a triangle is longer than the others, facets can be
 /// cut one after the other.
@@ -78,40 +77,50 @@ struct Batch<'a> {
 
 impl Cuts {
     pub fn new(
-        dual: &Dual,
-        facets: &Facets,
-        triangles: &Triangles,
-        drivers: &Drivers,
+        source: &Source<'_>,
+        set: &VoronoiSet,
         room: &mut Room<'_>,
         run: &Run<'_>,
     ) -> Result<Self> {
+        let facets = source.facets.len();
         let mut cuts = Cuts {
-            of_facet: room.filled(facets.len(), [0; 2])?,
-            first_hit: room.filled(triangles.len(), NONE)?,
+            of_facet: room.filled(facets, [0; 2])?,
+            first_hit: room.filled(source.triangles.len(), NONE)?,
             ..Cuts::default()
         };
-        // For each facet how often it has to wait for another: twice for each near side.
-        let mut awaited = room.filled(facets.len(), 0u32)?;
-        for longest in run.watch(&drivers.longest) {
-            if let Some(count) = awaited.get_mut(*longest? as usize) {
-                *count += 2;
+        // For each facet how often it has to wait for another: once for each far side of that by which the flow comes in here.
+        let mut awaited = room.filled(facets, 0u32)?;
+        let mut members = Vec::new();
+        let mut outline = Outline::default();
+        for facet in run.watch(0..facets as u32) {
+            let facet = facet?;
+            if set.facets[facet as usize] {
+                room.push(&mut members, facet)?;
+                outline.trace(source, facet)?;
+                for &side in outline.sides[outline.far()].iter().filter(|&&side| side != NONE) {
+                    if let Some(count) =
+                        awaited.get_mut(source.drivers.longest[side as usize] as usize)
+                    {
+                        *count += 1;
+                    }
+                }
             }
         }
-        let mut level = room.vec(facets.len())?;
-        level.extend((0..facets.len() as u32).filter(|&facet| awaited[facet as usize] == 0));
+        let mut level = room.vec(members.len())?;
+        level.extend(members.iter().copied().filter(|&facet| awaited[facet as usize] == 0));
         let mut done = 0;
         while !level.is_empty() {
-            let tracer = Tracer { dual, facets, triangles, drivers, cuts: &cuts };
+            let tracer = Tracer { source, set, cuts: &cuts };
             let parts = level.chunks(PART / 8).collect();
             let batches = run.in_parallel(parts, |part| tracer.trace(part, run))?;
             done += level.len();
-            run.tick(3 * facets.len() + 4 * done, 10 * facets.len())?;
+            run.tick(done, 2 * members.len())?;
             level.clear();
             for batch in batches {
                 run.poll()?;
                 for &facet in &batch.released {
                     awaited[facet as usize] -= 1;
-                    if awaited[facet as usize] == 0 {
+                    if awaited[facet as usize] == 0 && set.facets[facet as usize] {
                         level.push(facet);
                     }
                 }
@@ -119,7 +128,7 @@ impl Cuts {
             }
             level.sort_unstable();
         }
-        if done < facets.len() {
+        if done < members.len() {
             return Err(Error::new(Status::Internal, "the flow turns in a circle"));
         }
         Ok(cuts)
@@ -173,10 +182,8 @@ impl Cuts {
 
 /// What cuts facets.
 struct Tracer<'a> {
-    dual: &'a Dual,
-    facets: &'a Facets,
-    triangles: &'a Triangles,
-    drivers: &'a Drivers,
+    source: &'a Source<'a>,
+    set: &'a VoronoiSet,
     cuts: &'a Cuts,
 }
 
@@ -188,15 +195,15 @@ impl Tracer<'_> {
         let (mut outline, mut list, mut entries) = (Outline::default(), Vec::new(), Vec::new());
         let mut seen = 0;
         for &facet in part {
-            outline.trace(self.dual, self.facets, self.triangles, self.drivers, facet)?;
+            outline.trace(self.source, facet)?;
             seen += outline.sides.len();
             if seen > 4096 {
                 seen = 0;
                 run.poll()?;
             }
             for &side in &outline.sides[outline.far()] {
-                if side != NONE && self.drivers.longest[side as usize] != NONE {
-                    room.push(&mut released, self.drivers.longest[side as usize])?;
+                if side != NONE && self.source.drivers.longest[side as usize] != NONE {
+                    room.push(&mut released, self.source.drivers.longest[side as usize])?;
                 }
             }
             self.entries(&outline, &mut list, &mut entries);
@@ -214,7 +221,9 @@ impl Tracer<'_> {
     fn entries(&self, outline: &Outline, list: &mut Vec<u32>, entries: &mut Vec<Entry>) {
         entries.clear();
         for side in 0..outline.near {
-            if let (1.., Corner::Cell(cell)) = (side, outline.corners[side]) {
+            if let (1.., Corner::Cell(cell)) = (side, outline.corners[side])
+                && self.set.vertices[cell as usize]
+            {
                 entries.push(Entry::Cell(cell));
             }
             let triangle = outline.sides[side];
@@ -228,7 +237,7 @@ impl Tracer<'_> {
 
     /// Whether a side begins at the lesser cell of its triangle.
     fn runs_on(&self, outline: &Outline, side: usize) -> bool {
-        let [lesser, _] = self.triangles.sides[outline.sides[side] as usize];
+        let [lesser, _] = self.source.triangles.sides[outline.sides[side] as usize];
         outline.corners[side] == Corner::Cell(lesser)
     }
 
@@ -241,7 +250,7 @@ impl Tracer<'_> {
         cuts: &mut Vec<Cut>,
         hits: &mut Vec<Hit>,
     ) {
-        let view = View::new(self.dual, self.facets.edges()[facet as usize]);
+        let view = View::new(self.source.dual, self.source.facets.edges()[facet as usize]);
         let vector = |entry: Entry| match entry {
             Entry::Cell(cell) => view.vector(Corner::Cell(cell)),
             Entry::Hit(hit) => view.to(self.cuts.hits[hit as usize].at),
@@ -252,9 +261,7 @@ impl Tracer<'_> {
         let mut exact = Vec::with_capacity(entries.len());
         for &entry in entries {
             if let Entry::Cell(cell) = entry {
-                while far > outline.near + 1 && view.is_beyond(cell, outline.corners[far - 1]) {
-                    far -= 1;
-                }
+                far = view.exit(outline, cell, far);
             }
             exact.push(far);
         }
@@ -339,8 +346,8 @@ impl Tracer<'_> {
 
     /// The point of a side.
     fn place(&self, outline: &Outline, side: usize, share: f64) -> Vec3 {
-        let center = |cell: u32| self.dual.centers()[cell as usize];
-        let direction = |ray: u32| self.dual.rays().directions()[ray as usize];
+        let center = |cell: u32| self.source.dual.centers()[cell as usize];
+        let direction = |ray: u32| self.source.dual.rays().directions()[ray as usize];
         match (outline.corners[side], outline.end(side)) {
             (Corner::Cell(begin), Corner::Cell(end)) => {
                 let [begin, end] = [begin, end].map(center);

@@ -1,5 +1,6 @@
 //! Drivers: whither the distance to the samples grows.
 
+use super::simplex::Simplex;
 use super::triangles::Triangles;
 use crate::dual::{Dual, Facets};
 use crate::error::{Error, Result, Status};
@@ -7,21 +8,10 @@ use crate::index::NONE;
 use crate::job::{PART, Room, Run};
 use crate::predicates::{edge_conflict, triangle_conflict};
 
-/// The driver of the points inside one face of the Voronoi diagram: the point of the dual Delaunay simplex that is nearest to
-/// them, and with that the centre of a simplex that holds its own centre (Giesen, Ramos, Sadri, section 2).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Driver {
-    /// A sample.
-    Sample(u32),
-    /// The middle of an edge, given as its Voronoi facet.
-    Edge(u32),
-    /// The circumcentre of an acute triangle.
-    Triangle(u32),
-    /// The circumcentre of a cell that holds it.
-    Cell(u32),
-}
-
 /// What decides about every driver.
+///
+/// The driver of the points inside a face of the Voronoi diagram is the point of the dual Delaunay simplex that is nearest to them, and with that the centre of a
+/// simplex that holds its own centre (Giesen, Ramos, Sadri, section 2): that simplex is given for it.
 ///
 /// Invariants: `longest[i]` is the Voronoi facet of the longest edge of an obtuse triangle, or [`NONE`] for an acute one, with ties broken
 /// by the perturbation of the triangulation: no triangle has a right angle. Bit `s` of `beyond[c]` says whether the centre of the
@@ -90,10 +80,10 @@ impl Drivers {
     }
 
     /// That of a Voronoi edge.
-    pub fn of_triangle(&self, triangle: u32) -> Driver {
+    pub fn of_triangle(&self, triangle: u32) -> Simplex {
         match self.longest[triangle as usize] {
-            NONE => Driver::Triangle(triangle),
-            facet => Driver::Edge(facet),
+            NONE => Simplex::Triangle(triangle),
+            facet => Simplex::Edge(facet),
         }
     }
 
@@ -101,22 +91,22 @@ impl Drivers {
     ///
     /// The centre of a cell lies beyond an acute triangle: then the nearest point of the cell is that triangle's centre. Or it lies
     /// beyond two obtuse ones with the same longest edge: that edge's middle.
-    pub fn of_cell(&self, triangles: &Triangles, cell: u32) -> Driver {
+    pub fn of_cell(&self, triangles: &Triangles, cell: u32) -> Simplex {
         let beyond = self.beyond[cell as usize];
         let sides = triangles.of_cell[cell as usize];
         let mut seen = [NONE; 4];
         for slot in (0..4).filter(|slot| beyond >> slot & 1 == 1) {
             if self.longest[sides[slot] as usize] == NONE {
-                return Driver::Triangle(sides[slot]);
+                return Simplex::Triangle(sides[slot]);
             }
         }
         for (slot, &side) in sides.iter().enumerate() {
             let longest = self.longest[side as usize];
             if longest != NONE && seen[..slot].contains(&longest) {
-                return Driver::Edge(longest);
+                return Simplex::Edge(longest);
             }
             seen[slot] = longest;
         }
-        Driver::Cell(cell)
+        Simplex::Cell(cell)
     }
 }

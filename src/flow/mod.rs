@@ -7,22 +7,30 @@ mod core;
 mod critical;
 mod cuts;
 mod drivers;
+mod extract;
+mod inner;
 mod outline;
 mod side;
+mod simplex;
+mod source;
+mod strips;
+mod subdivision;
+mod touched;
 mod triangles;
+mod upstream;
 
-pub use closure::FlowElement;
+pub use complex::FlowComplex;
+pub use core::{Core, CoreOptions, Excluded};
 pub use critical::{CriticalClass, CriticalPoints};
-pub use drivers::Driver;
+pub use simplex::Simplex;
+pub use subdivision::FlowElement;
 
-use crate::dual::{Dual, Facets};
+use crate::dual::Dual;
 use crate::error::{Error, Result, Status};
 use crate::job::{Job, Room, Run, Stage};
 use crate::labels::Labels;
-use crate::poles::FirstPoles;
-use complex::{FlowComplex, Source};
-use cuts::Cuts;
 use drivers::Drivers;
+use source::Source;
 use std::sync::Arc;
 use triangles::Triangles;
 
@@ -39,7 +47,7 @@ impl Default for FlowOptions {
     }
 }
 
-/// The flow of the distance to the samples, and its unstable flow complex.
+/// The flow of the distance to the samples: where it goes, and where it ends.
 ///
 /// From each point the flow runs away from the nearest point of the Delaunay simplex of its nearest samples, the *driver*: in the direction in
 /// which the distance to the samples grows most.
@@ -50,7 +58,6 @@ pub struct Flow {
     options: FlowOptions,
     triangles: Triangles,
     drivers: Drivers,
-    complex: FlowComplex,
     critical: CriticalPoints,
 }
 
@@ -94,17 +101,11 @@ impl Flow {
         let mut room = Room::new(run);
         let triangles = Triangles::new(t, &mut room, run)?;
         let drivers = Drivers::new(dual, facets, &triangles, &mut room, run)?;
-        let cuts = Cuts::new(dual, facets, &triangles, &drivers, &mut room, run)?;
-        let source = Source { dual, facets, triangles: &triangles, drivers: &drivers, cuts: &cuts };
-        let saddles = source.saddles(&mut room, run)?;
-        let complex = FlowComplex::new(&source, &saddles, &mut room, run)?;
-        let mut critical = CriticalPoints::new(&source, &saddles, &mut room, run)?;
-        let incidence = t.incidence_in(run)?;
-        let poles =
-            FirstPoles::new(dual, t.coords().len(), &incidence, [0.95, 0.98], &mut room, run)?;
-        critical.separate(&source, &poles, labels, options.least_slope, &mut room, run)?;
+        let source = Source { dual, facets, triangles: &triangles, drivers: &drivers };
+        let mut critical = CriticalPoints::new(&source, &mut room, run)?;
+        critical.separate(&source, labels, options.least_slope, &mut room, run)?;
         let (dual, labels) = (dual.clone(), labels.clone());
-        Ok(Flow { dual, labels, options, triangles, drivers, complex, critical })
+        Ok(Flow { dual, labels, options, triangles, drivers, critical })
     }
 
     /// The Voronoi diagram.
@@ -127,26 +128,29 @@ impl Flow {
         &self.critical
     }
 
-    /// The triangles of the triangulation, each once: the lesser of its cells, and the slot of the vertex opposite. [`Driver::Triangle`] counts them.
+    /// The triangles of the triangulation, each once: the lesser of its cells, and the slot of the vertex opposite. [`Simplex::Triangle`] counts them.
     pub fn triangles(&self) -> &[[u32; 2]] {
         &self.triangles.sides
     }
 
     /// The driver of the points inside the Voronoi edge of a triangle: the centre of the triangle, or if that is obtuse the middle of its longest edge. That of a Voronoi
     /// facet is always the middle of its edge.
-    pub fn driver_of_triangle(&self, triangle: u32) -> Driver {
+    pub fn driver_of_triangle(&self, triangle: u32) -> Simplex {
         self.drivers.of_triangle(triangle)
     }
 
     /// The driver of the Voronoi vertex of a cell.
-    pub fn driver_of_cell(&self, cell: u32) -> Driver {
+    pub fn driver_of_cell(&self, cell: u32) -> Simplex {
         self.drivers.of_cell(&self.triangles, cell)
     }
 
-    /// The facets of the dual, which a [`Flow`] always has.
-    fn facets(&self) -> Result<&Facets> {
-        self.dual
+    /// What the flow is read from.
+    fn source(&self) -> Result<Source<'_>> {
+        let facets = self
+            .dual
             .facets()
-            .ok_or_else(|| Error::new(Status::Internal, "the dual has lost its facets"))
+            .ok_or_else(|| Error::new(Status::Internal, "the dual has lost its facets"))?;
+        let Flow { dual, triangles, drivers, .. } = self;
+        Ok(Source { dual, facets, triangles, drivers })
     }
 }

@@ -1,8 +1,6 @@
 //! The outline of a Voronoi facet as the flow in it sees it.
 
-use super::drivers::Drivers;
-use super::triangles::Triangles;
-use crate::dual::{Dual, Facets};
+use super::source::Source;
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::index::NONE;
 use std::ops::Range;
@@ -31,14 +29,8 @@ pub(super) struct Outline {
 
 impl Outline {
     /// Becomes that of a facet.
-    pub fn trace(
-        &mut self,
-        dual: &Dual,
-        facets: &Facets,
-        triangles: &Triangles,
-        drivers: &Drivers,
-        facet: u32,
-    ) -> Result<()> {
+    pub fn trace(&mut self, source: &Source<'_>, facet: u32) -> Result<()> {
+        let Source { dual, facets, triangles, drivers } = *source;
         let t = dual.triangulation();
         let [a, b] = facets.edges()[facet as usize];
         let ring = facets.ring(facet as usize);

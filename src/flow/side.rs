@@ -1,6 +1,6 @@
 //! On which side of a ray the corners of a Voronoi facet lie.
 
-use super::outline::Corner;
+use super::outline::{Corner, Outline};
 use crate::dual::{Dual, triple_sign};
 use crate::poles::seen_from;
 use crate::predicates::Sign;
@@ -60,6 +60,16 @@ impl<'a> View<'a> {
             }
         }
         self.sign(cell, corner).is_positive()
+    }
+
+    /// One more than the far side by which the ray through the centre of a cell of the edge leaves, given that it is none of the sides from `last` on:
+    /// exact.
+    pub fn exit(&self, outline: &Outline, cell: u32, last: usize) -> usize {
+        let mut far = last;
+        while far > outline.near + 1 && self.is_beyond(cell, outline.corners[far - 1]) {
+            far -= 1;
+        }
+        far
     }
 
     /// The rounded centre of a cell less p, and the most that each coordinate is off.

@@ -3,7 +3,7 @@
 use crate::medial::{dual_of, labels_of, samples};
 use crate::sets::{self, Random};
 use medax::dual::DualOptions;
-use medax::flow::{CriticalClass, Driver, Flow, FlowOptions};
+use medax::flow::{CoreOptions, Flow, FlowOptions, Simplex};
 use medax::sample::Shape;
 use medax::{Dual, Job, JobOptions, Labels, Status};
 use std::collections::{BTreeMap, BTreeSet};
@@ -22,11 +22,8 @@ fn all_inner(dual: &Dual) -> Arc<Labels> {
 }
 
 /// Minus one to the power of the index of a critical point.
-fn sign(driver: Driver) -> i64 {
-    match driver {
-        Driver::Sample(_) | Driver::Triangle(_) => 1,
-        Driver::Edge(_) | Driver::Cell(_) => -1,
-    }
+fn sign(simplex: Simplex) -> i64 {
+    [1, -1, 1, -1][simplex.dimension()]
 }
 
 #[test]
@@ -38,10 +35,7 @@ fn critical_points_of_every_index_cancel_down_to_one() {
         let Ok(t) = medax::Triangulation::delaunay(&Arc::new(points), &job) else { continue };
         let dual = Arc::new(Dual::new(&Arc::new(t), DualOptions { facets: true }, &job).unwrap());
         let flow = Flow::new(&dual, &all_inner(&dual), Default::default(), &job).unwrap();
-        let mut sum = dual.triangulation().coords().len() as i64;
-        for &driver in flow.critical().drivers() {
-            sum += sign(driver);
-        }
+        let sum: i64 = flow.critical().simplices().iter().map(|&simplex| sign(simplex)).sum();
         assert_eq!(sum, 1, "{}", set.name);
         tried += 1;
     }
@@ -96,7 +90,7 @@ fn critical_points_of_random_sets_are_those_of_the_definition() {
         let flow = flow(&rows, all_inner, &Job::default());
         let coords = flow.dual().triangulation().coords();
         let n = coords.len();
-        let mut expected = BTreeSet::new();
+        let mut expected: BTreeSet<Vec<u32>> = (0..n as u32).map(|v| vec![v]).collect();
         let mut consider = |simplex: &[usize]| {
             let corners: Vec<Point> = simplex.iter().map(|&v| coords[v]).collect();
             let weights = center(&corners);
@@ -109,7 +103,7 @@ fn critical_points_of_random_sets_are_those_of_the_definition() {
             let radius = square(corners[0]);
             let mut others = (0..n).filter(|v| !simplex.contains(v));
             if others.all(|v| square(coords[v]) > radius) {
-                expected.insert(simplex.iter().map(|&v| v as u32).collect::<Vec<_>>());
+                expected.insert(simplex.iter().map(|&v| v as u32).collect());
             }
         };
         for a in 0..n {
@@ -141,7 +135,7 @@ fn critical_points_of_random_sets_are_those_of_the_definition() {
         {
             for &v in corners.iter().filter(|&&v| (v as usize) < n) {
                 let to = sub(coords[v as usize], *at);
-                assert!((dot(to, to).sqrt() - distance).abs() < 1e-9 * distance);
+                assert!((dot(to, to).sqrt() - distance).abs() <= 1e-9 * distance);
             }
         }
     }
@@ -154,15 +148,15 @@ fn the_critical_points_of_a_cube_are_the_middles_of_its_parts() {
         (0..8).map(|i| [i & 1, i >> 1 & 1, i >> 2].map(|x| 2.0 * f64::from(x))).collect();
     let flow = flow(&rows, all_inner, &Job::default());
     let mut sums: BTreeMap<[i32; 3], i64> = BTreeMap::new();
-    for (&driver, at) in flow.critical().drivers().iter().zip(flow.critical().points()) {
+    for (&simplex, at) in flow.critical().simplices().iter().zip(flow.critical().points()) {
         assert!(at.iter().all(|x| [0.0, 1.0, 2.0].contains(x)), "{at:?}");
-        *sums.entry(at.map(|x| x as i32)).or_default() += sign(driver);
+        *sums.entry(at.map(|x| x as i32)).or_default() += sign(simplex);
     }
     for (at, sum) in &sums {
         let middles = at.iter().filter(|&&x| x == 1).count();
-        assert_eq!(*sum, if middles == 2 { 1 } else { -1 }, "{at:?}");
+        assert_eq!(*sum, [1, -1, 1, -1][middles], "{at:?}");
     }
-    assert_eq!(sums.len(), 12 + 6 + 1);
+    assert_eq!(sums.len(), 8 + 12 + 6 + 1);
 }
 
 #[test]
@@ -176,8 +170,10 @@ fn cores_of_smooth_shapes_have_their_homotopy_type() {
     ] {
         let job = Job::default();
         let flow = flow(&samples(shape, spacing), |dual| labels_of(shape, dual), &job);
-        for core in [flow.core(CriticalClass::Inner, &job), flow.repaired_core(&job)] {
-            let core = core.unwrap();
+        for repair in [false, true] {
+            let options = CoreOptions { repair, ..Default::default() };
+            let core = flow.core(options, &[], &job).unwrap();
+            let core = core.complex();
             assert_eq!(core.topology(&job).unwrap().betti, betti, "{shape:?}");
             assert!(core.validate(&job).unwrap().is_valid(), "{shape:?}");
             // It lies within the shape.
@@ -195,7 +191,7 @@ fn threads_change_nothing() {
             let job = Job::new(JobOptions { threads, ..Default::default() });
             let flow = flow(&rows, |dual| labels_of(Shape::Genus3, dual), &job);
             let job = Job::new(JobOptions { threads, ..Default::default() });
-            flow.repaired_core(&job).unwrap()
+            flow.core(CoreOptions::default(), &[], &job).unwrap().complex().clone()
         })
         .collect();
     assert!(cores[0] == cores[1] && cores[0] == cores[2]);
@@ -236,14 +232,14 @@ fn drivers_are_the_nearest_points_of_simplices() {
             std::array::from_fn(|k| corners.iter().zip(&weights).map(|(p, w)| w * p[k]).sum())
         })
     };
-    let place = |driver: Driver| match driver {
-        Driver::Sample(v) => coords[v as usize],
-        Driver::Edge(facet) => held(&facets.edges()[facet as usize]).unwrap(),
-        Driver::Triangle(triangle) => {
+    let place = |simplex: Simplex| match simplex {
+        Simplex::Sample(v) => coords[v as usize],
+        Simplex::Edge(facet) => held(&facets.edges()[facet as usize]).unwrap(),
+        Simplex::Triangle(triangle) => {
             let [cell, slot] = flow.triangles()[triangle as usize];
             held(&t.facet(cell, slot as usize)).unwrap()
         }
-        Driver::Cell(cell) => held(&t.cells()[cell as usize]).unwrap(),
+        Simplex::Cell(cell) => held(&t.cells()[cell as usize]).unwrap(),
     };
     let nearest = |simplex: &[u32], x: Point| -> f64 {
         let sides = (1..1u32 << simplex.len())
