@@ -104,11 +104,9 @@ impl CriticalPoints {
 
     pub(super) fn new(source: &Source<'_>, room: &mut Room<'_>, run: &Run<'_>) -> Result<Self> {
         let t = source.dual.triangulation();
-        let at = |v: u32| t.coords()[v as usize];
         let mut points = CriticalPoints::default();
         for v in run.watch(0..t.coords().len() as u32) {
-            let v = v?;
-            points.push(source, Simplex::Sample(v), at(v), room)?;
+            points.push(source, Simplex::Sample(v?), room)?;
         }
         let mut near = room.filled(source.facets.len(), false)?;
         for longest in run.watch(&source.drivers.longest) {
@@ -116,38 +114,27 @@ impl CriticalPoints {
                 *near = true;
             }
         }
-        for facet in run.watch(0..source.facets.len()) {
-            let facet = facet?;
-            if !near[facet] {
-                let [p, q] = source.facets.edges()[facet].map(at);
-                points.push(source, Simplex::Edge(facet as u32), middle(p, q), room)?;
+        for (facet, near) in (0..).zip(run.watch(near)) {
+            if !near? {
+                points.push(source, Simplex::Edge(facet), room)?;
             }
         }
         for triangle in run.watch(0..source.triangles.len() as u32) {
             let triangle = triangle?;
             if source.is_saddle(triangle) {
-                let center = source.center_of_triangle(triangle);
-                points.push(source, Simplex::Triangle(triangle), center, room)?;
+                points.push(source, Simplex::Triangle(triangle), room)?;
             }
         }
-        for cell in run.watch(0..t.cells().len() as u32) {
-            let cell = cell?;
-            if source.drivers.beyond[cell as usize] == 0 {
-                let center = source.dual.centers()[cell as usize];
-                points.push(source, Simplex::Cell(cell), center, room)?;
+        for (cell, beyond) in (0..).zip(run.watch(&source.drivers.beyond)) {
+            if *beyond? == 0 {
+                points.push(source, Simplex::Cell(cell), room)?;
             }
         }
         Ok(points)
     }
 
-    fn push(
-        &mut self,
-        source: &Source<'_>,
-        simplex: Simplex,
-        at: Vec3,
-        room: &mut Room<'_>,
-    ) -> Result<()> {
-        let corners = source.corners(simplex);
+    fn push(&mut self, source: &Source<'_>, simplex: Simplex, room: &mut Room<'_>) -> Result<()> {
+        let (at, corners) = (source.center_of(simplex), source.corners(simplex));
         let sample = source.dual.triangulation().coords()[corners[0] as usize];
         room.push(&mut self.simplices, simplex)?;
         room.push(&mut self.points, at)?;
@@ -236,9 +223,4 @@ impl CriticalPoints {
         }
         [slope / count, share / count]
     }
-}
-
-/// The middle of two points.
-pub(super) fn middle(p: Vec3, q: Vec3) -> Vec3 {
-    [0, 1, 2].map(|k| 0.5 * p[k] + 0.5 * q[k])
 }

@@ -7,10 +7,7 @@ use super::source::Source;
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
 use crate::job::{PART, Room, Run};
-use crate::vector::{Vec3, add, scale, sub};
-
-/// The farthest that an orbit is followed along a ray, 2^400.
-const FARTHEST: f64 = f64::from_bits((1023 + 400) << 52);
+use crate::vector::Vec3;
 
 /// Where a cut begins: on the near sides of its facet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -296,7 +293,7 @@ impl Tracer<'_> {
                 cuts.push(Cut { from: entry, to: NONE });
                 continue;
             }
-            let share = self.share(&view, outline, side, x, last);
+            let share = view.share(outline, side, x, last);
             last = Some(share);
             let runs_on = self.runs_on(outline, side);
             let is_ray = !matches!(
@@ -305,58 +302,11 @@ impl Tracer<'_> {
             );
             let order = hits.len() as u32;
             cuts.push(Cut { from: entry, to: order });
-            let at = self.place(outline, side, share);
+            let at = view.place(outline, side, share);
             // Hits come against the side's direction.
             let order = if runs_on { u32::MAX - order } else { order };
             let share = if runs_on || is_ray { share } else { 1.0 - share };
             hits.push(Hit { at, triangle, share, facet, order, next: NONE });
-        }
-    }
-
-    /// Where a ray hits a side: the share of it from its beginning, or the distance from its finite end. Beyond the hit before, if there is one.
-    fn share(
-        &self,
-        view: &View<'_>,
-        outline: &Outline,
-        side: usize,
-        x: Vec3,
-        last: Option<f64>,
-    ) -> f64 {
-        let (begin, end) = (outline.corners[side], outline.end(side));
-        let turn = |corner| view.turn(x, view.vector(corner));
-        match (begin, end) {
-            (Corner::Cell(_), Corner::Cell(_)) => {
-                let (from, to) = (turn(begin).min(0.0), turn(end).max(0.0));
-                let share = from / (from - to);
-                let share = if share.is_nan() { 0.5 } else { share };
-                share.clamp(0.0, last.unwrap_or(1.0))
-            }
-            (_, Corner::Ray(_)) => {
-                let share = -turn(begin).min(0.0) / turn(end).max(0.0);
-                let share = if share.is_nan() { 0.0 } else { share };
-                share.min(last.unwrap_or(FARTHEST)).min(FARTHEST)
-            }
-            (Corner::Ray(_), _) => {
-                let share = turn(end).max(0.0) / -turn(begin).min(0.0);
-                let share = if share.is_nan() { 0.0 } else { share };
-                share.max(last.unwrap_or(0.0)).min(FARTHEST)
-            }
-        }
-    }
-
-    /// The point of a side.
-    fn place(&self, outline: &Outline, side: usize, share: f64) -> Vec3 {
-        let center = |cell: u32| self.source.dual.centers()[cell as usize];
-        let direction = |ray: u32| self.source.dual.rays().directions()[ray as usize];
-        match (outline.corners[side], outline.end(side)) {
-            (Corner::Cell(begin), Corner::Cell(end)) => {
-                let [begin, end] = [begin, end].map(center);
-                add(begin, scale(sub(end, begin), share))
-            }
-            (Corner::Cell(cell), Corner::Ray(ray)) | (Corner::Ray(ray), Corner::Cell(cell)) => {
-                add(center(cell), scale(direction(ray), share))
-            }
-            (Corner::Ray(ray), Corner::Ray(_)) => direction(ray),
         }
     }
 }

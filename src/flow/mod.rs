@@ -9,7 +9,9 @@ mod cuts;
 mod drivers;
 mod extract;
 mod inner;
+mod orbit;
 mod outline;
+mod place;
 mod side;
 mod simplex;
 mod source;
@@ -22,6 +24,8 @@ mod upstream;
 pub use complex::FlowComplex;
 pub use core::{Core, CoreOptions, Excluded};
 pub use critical::{CriticalClass, CriticalPoints};
+pub use orbit::Orbits;
+pub use place::FlowAt;
 pub use simplex::Simplex;
 pub use subdivision::FlowElement;
 

@@ -4,10 +4,13 @@ use super::outline::{Corner, Outline};
 use crate::dual::{Dual, triple_sign};
 use crate::poles::seen_from;
 use crate::predicates::Sign;
-use crate::vector::{Vec3, cross, dot, sub};
+use crate::vector::{Vec3, add, cross, dot, scale, sub};
 
 /// The unit of rounding, 2^-53.
 const UNIT: f64 = f64::EPSILON / 2.0;
+
+/// The farthest that an orbit is followed along a ray, 2^400.
+const FARTHEST: f64 = f64::from_bits((1023 + 400) << 52);
 
 /// A Voronoi facet seen from the middle of its dual edge p q: rays from there through points of the facet, and on which side of them
 /// others lie. That is the sign of (x - p) x (z - p) . (q - p): positive if z lies counterclockwise of x seen from q.
@@ -70,6 +73,46 @@ impl<'a> View<'a> {
             far -= 1;
         }
         far
+    }
+
+    /// Where a ray hits a side: the share of it from its beginning, or the distance from its finite end. Beyond the hit before, if there is one.
+    pub fn share(&self, outline: &Outline, side: usize, x: Vec3, last: Option<f64>) -> f64 {
+        let (begin, end) = (outline.corners[side], outline.end(side));
+        let turn = |corner| self.turn(x, self.vector(corner));
+        match (begin, end) {
+            (Corner::Cell(_), Corner::Cell(_)) => {
+                let (from, to) = (turn(begin).min(0.0), turn(end).max(0.0));
+                let share = from / (from - to);
+                let share = if share.is_nan() { 0.5 } else { share };
+                share.clamp(0.0, last.unwrap_or(1.0))
+            }
+            (_, Corner::Ray(_)) => {
+                let share = -turn(begin).min(0.0) / turn(end).max(0.0);
+                let share = if share.is_nan() { 0.0 } else { share };
+                share.min(last.unwrap_or(FARTHEST)).min(FARTHEST)
+            }
+            (Corner::Ray(_), _) => {
+                let share = turn(end).max(0.0) / -turn(begin).min(0.0);
+                let share = if share.is_nan() { 0.0 } else { share };
+                share.max(last.unwrap_or(0.0)).min(FARTHEST)
+            }
+        }
+    }
+
+    /// The point of a side.
+    pub fn place(&self, outline: &Outline, side: usize, share: f64) -> Vec3 {
+        let center = |cell: u32| self.dual.centers()[cell as usize];
+        let direction = |ray: u32| self.dual.rays().directions()[ray as usize];
+        match (outline.corners[side], outline.end(side)) {
+            (Corner::Cell(begin), Corner::Cell(end)) => {
+                let [begin, end] = [begin, end].map(center);
+                add(begin, scale(sub(end, begin), share))
+            }
+            (Corner::Cell(cell), Corner::Ray(ray)) | (Corner::Ray(ray), Corner::Cell(cell)) => {
+                add(center(cell), scale(direction(ray), share))
+            }
+            (Corner::Ray(ray), Corner::Ray(_)) => direction(ray),
+        }
     }
 
     /// The rounded centre of a cell less p, and the most that each coordinate is off.

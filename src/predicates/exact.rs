@@ -181,6 +181,21 @@ pub(super) fn edge_side(points: [&[f64; 3]; 3]) -> Sign {
     with_width!(grid, sign::<1, 2>(points, &grid))
 }
 
+/// The sign of (u . a) |b|^2 - (u . b) |a|^2 for u = x - p, a = q - p, b = r - p.
+#[cold]
+pub(super) fn exit_side(points: [&[f64; 3]; 4]) -> Sign {
+    fn sign<const W: usize, const W2: usize, const W4: usize>(
+        [x, q, r, p]: [&[f64; 3]; 4],
+        grid: &Grid,
+    ) -> Sign {
+        let [u, a, b] = [x, q, r].map(|x| grid.difference::<W>(x, p));
+        let [ua, ub, aa, bb] = [(u, a), (u, b), (a, a), (b, b)].map(|(v, w)| dot::<W, W, W2>(v, w));
+        (ua.times::<W2, W4>(bb) - ub.times(aa)).sign()
+    }
+    let grid = Grid::of(&points, None);
+    with_width!(grid, sign::<1, 2, 4>(points, &grid))
+}
+
 /// The sign of N . (|d|^2 a x b + |a|^2 b x d + |b|^2 d x a) with N = a x b, for a = q - p, b = r - p, d = s - p: the product of
 /// |N|^2 and the power of s to the smallest sphere through p, q, r.
 #[cold]

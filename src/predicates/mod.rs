@@ -21,6 +21,7 @@
 //!   2^(-3 * 212 - 424) = 2^-1060. Floats of that size are exact down to 2^-1074.
 
 pub(crate) mod around;
+mod bisector;
 mod diametral;
 pub(crate) mod double_double;
 mod exact;
@@ -38,6 +39,7 @@ pub mod stages;
 #[cfg(not(feature = "count-stages"))]
 pub(crate) mod stages;
 
+pub use bisector::{exit_order, is_acute};
 pub use diametral::{edge_conflict, triangle_conflict};
 pub use orient::{collinear, coplanar_orientation, orient3d};
 pub use perturb::{delaunay_conflict, regular_conflict};

@@ -46,6 +46,12 @@ impl<'a> Descent<'a> {
             here = next;
         }
     }
+
+    /// Whether one vertex has no more power at a point than another: exact.
+    pub fn is_as_near(&self, at: [f64; 3], vertex: u32, than: u32) -> bool {
+        let t = self.triangulation;
+        power_order(at, t.site(vertex), t.site(than)) != Ordering::Greater
+    }
 }
 
 /// The order of the powers of a point to two balls, given as centres and weights.

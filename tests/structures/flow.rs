@@ -266,3 +266,81 @@ fn drivers_are_the_nearest_points_of_simplices() {
         assert!(near(found, nearest(&t.facet(cell, slot as usize), x)), "triangle {triangle}");
     }
 }
+
+/// Points of a set that orbits can be asked for: random ones, Voronoi vertices, middles of edges, samples.
+fn queries(flow: &Flow, random: &mut Random, count: usize) -> Vec<Point> {
+    let coords = flow.dual().triangulation().coords();
+    let mut queries: Vec<Point> = (0..count).map(|_| random.cube()).collect();
+    queries.extend(flow.dual().centers().iter().filter(|c| c.iter().all(|x| x.abs() < 4.0)));
+    queries.extend(coords);
+    for [p, q] in flow.dual().facets().unwrap().edges() {
+        let [p, q] = [p, q].map(|&v| coords[v as usize]);
+        queries.push(std::array::from_fn(|k| (p[k] + q[k]) / 2.0));
+    }
+    queries
+}
+
+#[test]
+fn orbits_end_in_critical_points_or_at_infinity_and_distances_grow() {
+    let mut random = Random(5);
+    let cloud: Vec<Point> = (0..300).map(|_| random.cube()).collect();
+    let cube = (0..64).map(|i| [i & 3, i >> 2 & 3, i >> 4].map(f64::from)).collect();
+    for rows in [cloud, samples(Shape::Genus3, 0.15), cube] {
+        let flow = flow(&rows, all_inner, &Job::default());
+        let queries = queries(&flow, &mut random, 1000);
+        let orbits = flow.orbits(&queries, &Job::default()).unwrap();
+        assert_eq!(orbits.len(), queries.len());
+        let mut infinite = 0;
+        for (i, row) in orbits.offsets().windows(2).enumerate() {
+            let row = row[0] as usize..row[1] as usize;
+            assert_eq!(orbits.points()[row.start], queries[i]);
+            let distances = &orbits.distances()[row.clone()];
+            let grows = distances.windows(2).all(|pair| pair[1] >= pair[0] * (1.0 - 1e-9) - 1e-12);
+            assert!(grows, "{i}: {distances:?}");
+            let last = orbits.points()[row.end - 1];
+            match orbits.ends()[i] {
+                medax::NONE => infinite += 1,
+                end => {
+                    let to = sub(last, flow.critical().points()[end as usize]);
+                    assert!(dot(to, to) < 1e-20, "{i}");
+                }
+            }
+            let mut faces = orbits.simplices()[row].to_vec();
+            faces.dedup();
+            let count = faces.len();
+            faces.sort();
+            faces.dedup();
+            assert_eq!(faces.len(), count, "{i}: a face is entered twice");
+        }
+        assert!(infinite > 0 && infinite < queries.len() / 2, "{infinite}");
+    }
+}
+
+#[test]
+fn the_flow_at_a_point_is_that_of_its_nearest_samples() {
+    let mut random = Random(6);
+    let rows: Vec<Point> = (0..100).map(|_| random.cube()).collect();
+    let flow = flow(&rows, all_inner, &Job::default());
+    let coords = flow.dual().triangulation().coords();
+    let queries = queries(&flow, &mut random, 1000);
+    let length = |v: Point| dot(v, v).sqrt();
+    for (&x, at) in queries.iter().zip(flow.at(&queries, &Job::default()).unwrap()) {
+        let distance = coords.iter().map(|&p| length(sub(p, x))).fold(f64::INFINITY, f64::min);
+        assert!((at.distance - distance).abs() <= 1e-12, "{x:?}");
+        assert!((length(at.vector) * distance - length(sub(x, at.driver))).abs() <= 1e-12);
+        assert!((at.angle.cos() - length(at.vector)).abs() < 1e-9 || distance == 0.0);
+    }
+    // A critical point is its own driver.
+    for (&x, at) in flow
+        .critical()
+        .points()
+        .iter()
+        .zip(flow.at(flow.critical().points(), &Job::default()).unwrap())
+    {
+        if at.simplex.dimension() == 0 {
+            // Rounding has moved it off its Voronoi face.
+            continue;
+        }
+        assert!(length(sub(x, at.driver)) < 1e-12, "{x:?} {at:?}");
+    }
+}
