@@ -22,7 +22,9 @@ pub use rays::Rays;
 
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::job::{Job, PART, Room, Run, Stage, parts};
+use crate::predicates::UNIT;
 use crate::triangulation::Triangulation;
+use crate::vector::{Vec3, sub};
 use std::sync::Arc;
 
 /// What a [`Dual`] holds besides centres, radii and rays.
@@ -96,6 +98,19 @@ impl Dual {
     /// where weights are large.
     pub fn radii_squared(&self) -> &[f64] {
         &self.radii_squared
+    }
+
+    /// The rounded centre of a cell less a point, and the most that each coordinate of the difference is off the exact one.
+    #[inline]
+    pub(crate) fn center_from(&self, cell: u32, point: Vec3) -> (Vec3, Vec3) {
+        let center = self.centers[cell as usize];
+        let x = sub(center, point);
+        let error = [0, 1, 2].map(|k| match center[k].abs() {
+            // The centre may be farther still: nothing is known.
+            f64::MAX => f64::INFINITY,
+            size => UNIT * (size + x[k].abs()) + f64::from_bits(1),
+        });
+        (x, error)
     }
 
     /// The unbounded Voronoi edges.

@@ -5,11 +5,9 @@ use super::{Dual, Facets};
 use crate::error::{ElementKind, Result};
 use crate::index::NONE;
 use crate::job::{Job, Run, Stage};
+use crate::predicates::UNIT;
 use crate::predicates::double_double::Pairs;
 use crate::validation::Validation;
-
-/// The unit of rounding, 2^-53.
-const UNIT: f64 = power_of_two(-53);
 
 /// Past this the squares of coordinates overflow, and powers are not checked.
 const FAR: f64 = power_of_two(500);

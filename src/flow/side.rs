@@ -3,11 +3,8 @@
 use super::outline::{Corner, Outline};
 use crate::dual::{Dual, triple_sign};
 use crate::poles::seen_from;
-use crate::predicates::Sign;
+use crate::predicates::{Sign, UNIT};
 use crate::vector::{Vec3, add, cross, dot, scale, sub};
-
-/// The unit of rounding, 2^-53.
-const UNIT: f64 = f64::EPSILON / 2.0;
 
 /// The farthest that an orbit is followed along a ray, 2^400.
 const FARTHEST: f64 = f64::from_bits((1023 + 400) << 52);
@@ -48,7 +45,8 @@ impl<'a> View<'a> {
     /// Whether a corner lies strictly counterclockwise of the ray through the centre of a cell of the edge: exact.
     pub fn is_beyond(&self, cell: u32, corner: Corner) -> bool {
         if let Corner::Cell(other) = corner {
-            let [(x, x_error), (z, z_error)] = [cell, other].map(|cell| self.offset(cell));
+            let [(x, x_error), (z, z_error)] =
+                [cell, other].map(|cell| self.dual.center_from(cell, self.origin));
             let size = |v: Vec3| v.map(f64::abs);
             let [xs, zs, es] = [x, z, self.along].map(size);
             let most = [0, 1, 2].map(|k| zs[k] + z_error[k]);
@@ -113,18 +111,6 @@ impl<'a> View<'a> {
             }
             (Corner::Ray(ray), Corner::Ray(_)) => direction(ray),
         }
-    }
-
-    /// The rounded centre of a cell less p, and the most that each coordinate is off.
-    fn offset(&self, cell: u32) -> (Vec3, Vec3) {
-        let center = self.dual.centers()[cell as usize];
-        let x = sub(center, self.origin);
-        let error = [0, 1, 2].map(|k| match center[k].abs() {
-            // The centre may be farther still: nothing is known.
-            f64::MAX => f64::INFINITY,
-            size => UNIT * (size + x[k].abs()) + f64::from_bits(1),
-        });
-        (x, error)
     }
 
     #[cold]

@@ -3,11 +3,8 @@
 use super::select::seen_from;
 use crate::dual::{Dual, direction_sign, dot_sign};
 use crate::index::NONE;
-use crate::predicates::Sign;
+use crate::predicates::{Sign, UNIT};
 use crate::vector::Vec3;
-
-/// The unit of rounding, 2^-53.
-const UNIT: f64 = f64::EPSILON / 2.0;
 
 /// The plane through a sample s across its pole vector v, with what tells quickly on which side of it the centre c of a
 /// cell of the sample lies: the sign of (c - s) . v, where c and v are the exact ones.
@@ -32,7 +29,7 @@ impl TangentPlane {
         let s = dual.triangulation().coords()[sample];
         let (pole, pole_error) = match first {
             NONE => (direction, [0.0; 3]),
-            first => difference(dual.centers()[first as usize], s),
+            first => dual.center_from(first, s),
         };
         // With x for the rounded c - s, X for the exact one, likewise y and Y for the pole vector: since c is the nearest float,
         // |X - x| <= u (|c| + |x|) <= u |s| + 3u |x|, so that |X . Y - x . y| <= sum of |x| |Y - y| + (u |s| + 3u |x|) |Y|; rounding
@@ -74,17 +71,6 @@ impl TangentPlane {
             first => dot_sign(seen, seen_from(t, sample, first)),
         }
     }
-}
-
-/// The rounded centre less the sample, and the most that each coordinate is off.
-fn difference(center: Vec3, sample: Vec3) -> (Vec3, Vec3) {
-    let x = [0, 1, 2].map(|k| center[k] - sample[k]);
-    let error = [0, 1, 2].map(|k| match center[k].abs() {
-        // The centre may be farther still: nothing is known.
-        f64::MAX => f64::INFINITY,
-        size => UNIT * (size + x[k].abs()) + f64::from_bits(1),
-    });
-    (x, error)
 }
 
 #[cfg(test)]

@@ -11,8 +11,8 @@
 //! of the products and sums the lift takes 3, a minor 2, their product 1, the sum of the three vectors 2, the product with N, a minor
 //! itself, 2 + 1, the sum of the coordinates 2: 19 roundings. 8 u and 24 u leave room for the roundings of the bounds.
 
+use super::UNIT;
 use super::exact;
-use super::lifted::UNIT;
 use super::sign::Sign;
 
 /// Times the permanent: bounds the error for an edge.

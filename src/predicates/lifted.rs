@@ -54,10 +54,10 @@
 use super::double_double::Pairs;
 use super::exact;
 use super::grid::{is_multiple, step};
-use super::position;
 use super::processor;
 use super::sign::Sign;
 use super::stages::{self, Stage};
+use super::{UNIT, position};
 use std::array::from_fn;
 
 /// Times X Y Z M: bounds the error of the determinant in floats.
@@ -66,8 +66,6 @@ pub(super) const MAXIMUM_BOUND: f64 = 410.0 * UNIT;
 pub(super) const PERMANENT_BOUND: f64 = 17.5 * UNIT;
 /// Times X Y Z M: bounds the error of the determinant in pairs of floats.
 pub(super) const PAIRS_BOUND: f64 = 6400.0 * UNIT * UNIT;
-/// The relative error of one rounding: 2^-53.
-pub(super) const UNIT: f64 = f64::EPSILON / 2.0;
 /// 2^-1000: added to a bound, it covers the bound's own underflow.
 pub(super) const TINY: f64 = f64::from_bits((1023 - 1000) << 52);
 

@@ -51,6 +51,8 @@ pub use sphere::{insphere, power_test};
 pub const WEIGHT_MAX: f64 = f64::from_bits((1023 + 400) << 52);
 /// The smallest absolute weight other than zero: 2^-320, the square of the smallest coordinate.
 pub const WEIGHT_MIN: f64 = f64::from_bits((1023 - 320) << 52);
+/// The unit of rounding, the relative error of one: 2^-53.
+pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
 
 /// The coordinates of a row (x, y, z, weight).
 #[inline]

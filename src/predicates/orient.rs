@@ -8,9 +8,10 @@
 //! the maxima of |x'|, |y'|, |z'|; 50 u leaves room for the roundings of the bound. In a plane it
 //! is 2 + 1 + 1 = 4 roundings and 2 terms: at most 8 u X Y, and 9 u leaves room.
 
+use super::UNIT;
 use super::exact;
 use super::grid::{is_multiple, step};
-use super::lifted::{UNIT, larger};
+use super::lifted::larger;
 use super::sign::Sign;
 
 /// Times X Y Z: bounds the error of an orientation in floats.

@@ -1,12 +1,10 @@
 //! The vertex of least power at a point.
 
 use super::{Incidence, Triangulation};
+use crate::predicates::UNIT;
 use crate::vector::{dot, sub};
 use num_bigint::BigInt;
 use std::cmp::Ordering;
-
-/// The unit of rounding, 2^-53.
-const UNIT: f64 = f64::EPSILON / 2.0;
 
 /// Goes from vertex to vertex of a triangulation, each of less power than the one before, to the vertex whose cell of the
 /// power diagram, or Voronoi cell, holds a point.

@@ -3,10 +3,10 @@
 use super::sets::{KINDS, Random, five};
 use super::{CASES, lifted, rational};
 use crate::predicates::lifted::{
-    MAXIMUM_BOUND, PAIRS_BOUND, PERMANENT_BOUND, TINY, UNIT, determinant, exact_step, on_grid,
-    pairs, permanent, product, zero_step,
+    MAXIMUM_BOUND, PAIRS_BOUND, PERMANENT_BOUND, TINY, determinant, exact_step, on_grid, pairs,
+    permanent, product, zero_step,
 };
-use crate::predicates::{Sign, exact, position};
+use crate::predicates::{Sign, UNIT, exact, position};
 use num_traits::{Signed, Zero};
 
 /// Runs every stage on every kind of five points, not only when the one before it fails, and
