@@ -23,9 +23,33 @@ fn decode(x: f64) -> (i64, i32) {
 
 /// The largest exponent e such that all coordinates are multiples of 2^e, and all weights of 2^2e.
 fn unit_exponent(points: &[[f64; 3]; 4], weights: Option<[f64; 4]>, base: [f64; 3]) -> i32 {
-    let coordinates = points.iter().flatten().chain(&base).map(|&x| decode(x).1);
     let weights = weights.into_iter().flatten().map(|w| decode(w).1.div_euclid(2));
-    coordinates.chain(weights).min().unwrap_or(0).min(0x400)
+    common_exponent(points).min(common_exponent(&[base])).min(weights.min().unwrap_or(i32::MAX))
+}
+
+/// The largest exponent e such that all coordinates are multiples of 2^e.
+fn common_exponent(points: &[[f64; 3]]) -> i32 {
+    points.iter().flatten().map(|&x| decode(x).1).min().unwrap_or(0).min(0x400)
+}
+
+/// A vector in integers, in a unit of its own.
+type Integers = [BigInt; 3];
+
+/// A point in units of 2^`exponent`.
+fn place(point: [f64; 3], exponent: i32) -> Integers {
+    point.map(|x| integer(x, exponent))
+}
+
+fn difference(a: &Integers, b: &Integers) -> Integers {
+    from_fn(|k| &a[k] - &b[k])
+}
+
+fn product(a: &Integers, b: &Integers) -> BigInt {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+fn cross_product(a: &Integers, b: &Integers) -> Integers {
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &a[i] * &b[j] - &a[j] * &b[i])
 }
 
 /// The centre in exact arithmetic, the squared radius only with `RADIUS`; `None` if the determinant is 0.
@@ -56,7 +80,7 @@ fn by_integers(
         let base = integer(base[k], exponent) * &divisor;
         ratio(base + &solution.numerator[k], &divisor, exponent)
     });
-    let square: BigInt = solution.numerator.iter().map(|x| x * x).sum();
+    let square = product(&solution.numerator, &solution.numerator);
     let weight = weights.map_or(BigInt::zero(), |weights| integer(weights[0], 2 * exponent));
     let divisor = &divisor * &divisor;
     let radius_squared = ratio(square - weight * &divisor, &divisor, 2 * exponent);
@@ -65,34 +89,32 @@ fn by_integers(
 
 /// N and D of `center.rs`, in units of 2^4e and 2^3e.
 struct Solution {
-    numerator: [BigInt; 3],
+    numerator: Integers,
     determinant: BigInt,
 }
 
 impl Solution {
     fn new(points: &[[f64; 3]; 4], weights: Option<[f64; 4]>, exponent: i32) -> Solution {
-        let place = |p: [f64; 3]| p.map(|x| integer(x, exponent));
-        let a = place(points[0]);
-        let edges: [[BigInt; 3]; 3] = from_fn(|i| {
-            let p = place(points[i + 1]);
-            from_fn(|k| &p[k] - &a[k])
-        });
+        let a = place(points[0], exponent);
+        let edges = [1, 2, 3].map(|i| difference(&place(points[i], exponent), &a));
         let lifts: [BigInt; 3] = from_fn(|i| {
-            let square: BigInt = edges[i].iter().map(|x| x * x).sum();
+            let square = product(&edges[i], &edges[i]);
             match weights {
                 Some(w) => square + integer(w[0], 2 * exponent) - integer(w[i + 1], 2 * exponent),
                 None => square,
             }
         });
-        let cross = |i: usize, j: usize| {
-            [(1, 2), (2, 0), (0, 1)]
-                .map(|(p, q)| &edges[i][p] * &edges[j][q] - &edges[i][q] * &edges[j][p])
-        };
-        let crosses = [cross(1, 2), cross(2, 0), cross(0, 1)];
+        let crosses = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| cross_product(&edges[i], &edges[j]));
         Solution {
             numerator: from_fn(|k| (0..3).map(|i| &lifts[i] * &crosses[i][k]).sum()),
-            determinant: (0..3).map(|k| &edges[0][k] * &crosses[0][k]).sum(),
+            determinant: product(&edges[0], &crosses[0]),
         }
+    }
+
+    /// The way from the first point to the centre, of any length.
+    fn direction(self) -> Integers {
+        let negative = self.determinant.is_negative();
+        self.numerator.map(|x| if negative { -x } else { x })
     }
 }
 
@@ -107,12 +129,8 @@ pub(crate) fn dot_sign(p: [[f64; 3]; 4], q: [[f64; 3]; 4]) -> Sign {
 
 /// [`dot_sign`] in integers of any size.
 fn long_dot_sign(cells: &[[[f64; 3]; 4]; 2], exponents: [i32; 2]) -> Sign {
-    let [p, q] = [0, 1].map(|i| {
-        let solution = Solution::new(&cells[i], None, exponents[i]);
-        let negative = solution.determinant.is_negative();
-        solution.numerator.map(|x| if negative { -x } else { x })
-    });
-    sign_of(&p.iter().zip(&q).map(|(x, y)| x * y).sum())
+    let [p, q] = [0, 1].map(|i| Solution::new(&cells[i], None, exponents[i]).direction());
+    sign_of(&product(&p, &q))
 }
 
 /// The sign of (c - s) x d . (q - s), where c is the centre of a cell and s its first point; d is the centre of another cell less s, its first point, too; or
@@ -125,34 +143,16 @@ pub(crate) fn triple_sign(
 ) -> Sign {
     // Every vector in units of its own: lengths do not count.
     let center = |cell: &[[f64; 3]; 4]| {
-        let solution = Solution::new(cell, None, unit_exponent(cell, None, [0.0; 3]));
-        let negative = solution.determinant.is_negative();
-        solution.numerator.map(|x| if negative { -x } else { x })
-    };
-    let differences = |from: [f64; 3], to: &[[f64; 3]]| {
-        let numbers = to.iter().flatten().chain(&from);
-        let exponent = numbers.map(|&x| decode(x).1).min().unwrap_or(0).min(0x400);
-        let place = |p: [f64; 3]| p.map(|x| integer(x, exponent));
-        let from = place(from);
-        let less = |p: &[f64; 3]| {
-            let p = place(*p);
-            from_fn::<BigInt, 3, _>(|k| &p[k] - &from[k])
-        };
-        to.iter().map(less).collect::<Vec<_>>()
-    };
-    let cross = |a: &[BigInt; 3], b: &[BigInt; 3]| {
-        [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &a[i] * &b[j] - &a[j] * &b[i])
+        Solution::new(cell, None, unit_exponent(cell, None, [0.0; 3])).direction()
     };
     let x = center(&cell);
     let z = match direction {
         Ok(cell) => center(&cell),
-        Err([a, b, c]) => {
-            let sides = differences(a, &[b, c]);
-            cross(&sides[0], &sides[1])
-        }
+        Err(corners) => normal(corners, common_exponent(&corners)),
     };
-    let along = differences(cell[0], &[q]);
-    sign_of(&cross(&x, &z).iter().zip(&along[0]).map(|(x, y)| x * y).sum())
+    let exponent = common_exponent(&[cell[0], q]);
+    let along = difference(&place(q, exponent), &place(cell[0], exponent));
+    sign_of(&product(&cross_product(&x, &z), &along))
 }
 
 /// The order of |p| and |q|, where p and q are the centres of two cells less the first point, which they
@@ -167,7 +167,7 @@ pub(super) fn radius_order(cells: [[[f64; 3]; 4]; 2]) -> Ordering {
 /// [`radius_order`] in integers of any size.
 fn long_radius_order(cells: &[[[f64; 3]; 4]; 2], exponent: i32) -> Ordering {
     let [p, q] = cells.each_ref().map(|cell| Solution::new(cell, None, exponent));
-    let square = |p: &Solution| -> BigInt { p.numerator.iter().map(|x| x * x).sum() };
+    let square = |p: &Solution| product(&p.numerator, &p.numerator);
     let (x, y) = (square(&p), square(&q));
     (x * &q.determinant * &q.determinant).cmp(&(y * &p.determinant * &p.determinant))
 }
@@ -177,10 +177,8 @@ fn long_radius_order(cells: &[[[f64; 3]; 4]; 2], exponent: i32) -> Ordering {
 #[cold]
 pub(crate) fn direction_sign(p: [[f64; 3]; 4], direction: [f64; 3]) -> Sign {
     let solution = Solution::new(&p, None, unit_exponent(&p, None, [0.0; 3]));
-    let exponent = direction.iter().map(|&x| decode(x).1).min().unwrap_or(0).min(0x400);
-    let dot: BigInt =
-        (0..3).map(|k| &solution.numerator[k] * integer(direction[k], exponent)).sum();
-    sign_of(&(dot * solution.determinant))
+    let direction = place(direction, common_exponent(&[direction]));
+    sign_of(&product(&solution.direction(), &direction))
 }
 
 fn sign_of(x: &BigInt) -> Sign {
@@ -196,12 +194,14 @@ fn sign_of(x: &BigInt) -> Sign {
 /// The cross product of b - a and c - a, each coordinate rounded once.
 #[cold]
 pub(super) fn cross(points: [[f64; 3]; 3]) -> [f64; 3] {
-    let exponent = points.iter().flatten().map(|&x| decode(x).1).min().unwrap_or(0).min(0x400);
-    let [a, b, c] = points.map(|p| p.map(|x| integer(x, exponent)));
-    let (u, v): ([_; 3], [_; 3]) =
-        (from_fn(|k: usize| &b[k] - &a[k]), from_fn(|k: usize| &c[k] - &a[k]));
-    let cross = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &u[i] * &v[j] - &u[j] * &v[i]);
-    cross.map(|x| ratio(x, &BigInt::from(1), 2 * exponent))
+    let exponent = common_exponent(&points);
+    normal(points, exponent).map(|x| ratio(x, &BigInt::from(1), 2 * exponent))
+}
+
+/// The cross product of b - a and c - a in units of 2^2e, where e is the exponent.
+fn normal(points: [[f64; 3]; 3], exponent: i32) -> Integers {
+    let [a, b, c] = points.map(|p| place(p, exponent));
+    cross_product(&difference(&b, &a), &difference(&c, &a))
 }
 
 /// x / 2^`exponent`, which must be whole.
@@ -260,6 +260,8 @@ pub(super) fn assemble(bits: u128, exponent: i64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dual::circumcenter;
+    use crate::vector::{self, Vec3, dot, length, sub};
     use proptest::prelude::*;
 
     /// Points of a lattice with a rounded step, some moved by an ulp: radii are equal or nearly so.
@@ -303,6 +305,29 @@ mod tests {
         #[test]
         fn integers_of_fixed_and_of_any_width_agree(points in points()) {
             prop_assert_eq!(agree(points)?, [true; 2]);
+        }
+
+        #[test]
+        fn a_triple_product_has_the_sign_of_that_in_floats_if_it_is_far_from_zero(
+            [s, a, b, c, d, e, q] in points(),
+        ) {
+            let cells = [[s, a, b, c], [s, d, e, q]];
+            let centers = cells.map(circumcenter);
+            prop_assume!(centers.iter().all(Option::is_some));
+            let [x, z] = centers.map(|center| sub(center.unwrap().position, s));
+            let check = |found: Sign, z: Vec3, size: f64| {
+                let turn = dot(vector::cross(x, z), sub(q, s));
+                let is_far = turn.abs() > 1e-9 * size * length(x) * length(sub(q, s));
+                !is_far || found == Sign::of(turn)
+            };
+            let turn = triple_sign(cells[0], Ok(cells[1]), q);
+            prop_assert!(check(turn, z, length(z)));
+            prop_assert_eq!(triple_sign(cells[1], Ok(cells[0]), q), -turn);
+            prop_assert_eq!(triple_sign(cells[0], Ok(cells[0]), q), Sign::Zero);
+            let turn = triple_sign(cells[0], Err([c, d, e]), q);
+            let (u, v) = (sub(d, c), sub(e, c));
+            prop_assert!(check(turn, vector::cross(u, v), length(u) * length(v)));
+            prop_assert_eq!(triple_sign(cells[0], Err([c, e, d]), q), -turn);
         }
 
         #[test]
