@@ -3,7 +3,7 @@
 use super::sheet::Sheet;
 use crate::error::Result;
 use crate::index::NONE;
-use crate::job::{Room, Run};
+use crate::job::{Room, Run, parts_of};
 use crate::triangulation::{Incidence, Triangulation};
 
 /// The vertices whose stars a thread looks at in one go.
@@ -32,9 +32,7 @@ impl Umbrellas {
         run: &Run<'_>,
     ) -> Result<Self> {
         let samples = t.coords().len();
-        let ranges = (0..samples).step_by(STARS);
-        let ranges = ranges.map(|begin| begin..samples.min(begin + STARS)).collect();
-        let found = run.in_steps(ranges, [0.0, 0.3], |range: std::ops::Range<usize>| {
+        let found = run.in_steps(parts_of(STARS, samples), [0.0, 0.3], |range| {
             let mut room = Room::new(run);
             let mut star = Star::default();
             let offsets = incidence.offsets();

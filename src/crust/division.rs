@@ -183,13 +183,3 @@ pub(super) struct Edge {
     pub(super) ends: [u32; 2],
     pub(super) cell: u32,
 }
-
-/// The pieces of an array that begin where the offsets say.
-pub(super) fn pieces<'a, T>(mut array: &'a mut [T], offsets: &[usize]) -> Vec<&'a mut [T]> {
-    let cut = |pair: &[usize]| {
-        let (piece, rest) = std::mem::take(&mut array).split_at_mut(pair[1] - pair[0]);
-        array = rest;
-        piece
-    };
-    offsets.windows(2).map(cut).collect()
-}

@@ -1,12 +1,12 @@
 //! The power shape: the faces of the regular triangulation that connect poles of one side, an
 //! approximation of the medial axis (Amenta, Choi, Kolluri 2001, section 3.4).
 
-use super::division::{Division, Edge, pieces};
+use super::division::{Division, Edge};
 use super::label::Label;
 use crate::complex::{Attribute, CellType, Complex, ComplexParts, Element, Rows, Values, flatness};
 use crate::error::Result;
 use crate::index::NONE;
-use crate::job::{PART, Room, Run, parts};
+use crate::job::{PART, Room, Run, parts, pieces};
 use crate::poles::Poles;
 use crate::triangulation::{Triangulation, Turn};
 use std::ops::Range;
@@ -108,8 +108,8 @@ fn facets(
     let cell_offsets = division.offsets(|share| usize::from(share.is_cell_of(side)));
     let mut faces = room.filled(face_offsets[face_offsets.len() - 1], [0u32; 3])?;
     let mut cells = room.filled(cell_offsets[cell_offsets.len() - 1], [0u32; 4])?;
-    let results =
-        pieces(&mut faces, &face_offsets).into_iter().zip(pieces(&mut cells, &cell_offsets));
+    let results = pieces(&mut faces, face_offsets[1..].iter().copied())
+        .zip(pieces(&mut cells, cell_offsets[1..].iter().copied()));
     let chunks = parts(regular.cells().len()).into_iter().zip(results).collect();
     let from = 0.7 + 0.15 * f64::from(side as u32);
     run.in_steps(chunks, [from, from + 0.15], |(range, (faces, cells)): (Range<_>, _)| {

@@ -1,12 +1,12 @@
 //! The power crust: the facets of the power diagram between inner and outer cells.
 
-use super::division::{Division, Edge, pieces};
+use super::division::{Division, Edge};
 use super::places::Places;
 use super::shards;
 use crate::complex::{Attribute, Complex, ComplexParts, Element, Rows, Values};
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
-use crate::job::{PART, Room, Run, parts};
+use crate::job::{PART, Room, Run, parts, pieces};
 use crate::poles::Poles;
 use crate::triangulation::{Triangulation, Turn};
 
@@ -95,7 +95,8 @@ fn mixed_cells(
     let mut cells = room.filled(offsets[offsets.len() - 1], 0u32)?;
     let mut vertex_of_cell = room.filled(regular.cells().len(), 0u32)?;
     let ranges = parts(regular.cells().len()).into_iter().zip(&offsets);
-    let results = vertex_of_cell.chunks_mut(PART).zip(pieces(&mut cells, &offsets));
+    let cells_of_parts = pieces(&mut cells, offsets[1..].iter().copied());
+    let results = vertex_of_cell.chunks_mut(PART).zip(cells_of_parts);
     run.in_steps(ranges.zip(results).collect(), [0.1, 0.15], |((range, &first), results)| {
         let (vertex_of_cell, cells) = results;
         let shares = division.shares[range.clone()].iter().enumerate();

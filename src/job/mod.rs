@@ -7,7 +7,7 @@ mod room;
 mod threads;
 
 pub(crate) use room::Room;
-pub(crate) use threads::{PART, parts};
+pub(crate) use threads::{PART, parts, parts_of, pieces};
 
 use crate::error::{Error, Result, Status};
 use std::sync::atomic::{AtomicBool, AtomicU8, AtomicU64, Ordering};

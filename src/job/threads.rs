@@ -2,6 +2,7 @@
 
 use super::Run;
 use crate::error::Result;
+use std::mem;
 use std::ops::Range;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -12,7 +13,25 @@ pub(crate) const PART: usize = 1 << 14;
 
 /// The ranges of [`PART`] items that make up `0..count`; the last may be shorter.
 pub(crate) fn parts(count: usize) -> Vec<Range<usize>> {
-    (0..count).step_by(PART).map(|begin| begin..count.min(begin + PART)).collect()
+    parts_of(PART, count)
+}
+
+/// The ranges of `size` items, 1 at least, that make up `0..count`; the last may be shorter.
+pub(crate) fn parts_of(size: usize, count: usize) -> Vec<Range<usize>> {
+    (0..count).step_by(size).map(|begin| begin..count.min(begin + size)).collect()
+}
+
+/// The pieces of an array, one after the other, that end before the given places, which ascend.
+pub(crate) fn pieces<T>(
+    mut array: &mut [T],
+    ends: impl IntoIterator<Item = usize>,
+) -> impl Iterator<Item = &mut [T]> {
+    let mut begin = 0;
+    ends.into_iter().map(move |end| {
+        let (piece, rest) = mem::take(&mut array).split_at_mut(end - begin);
+        (array, begin) = (rest, end);
+        piece
+    })
 }
 
 impl Run<'_> {
@@ -77,7 +96,7 @@ impl Run<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{PART, parts};
+    use super::{PART, parts, parts_of, pieces};
     use crate::error::{Error, Status};
     use crate::job::{Job, JobOptions, Stage};
     use std::collections::HashSet;
@@ -114,6 +133,23 @@ mod tests {
         });
         let expected = [0, PART, 2 * PART, 3 * PART].map(|i| i..(i + PART).min(3 * PART + 1));
         assert_eq!(ranges.unwrap(), expected);
+    }
+
+    #[test]
+    fn pieces_end_where_the_rows_of_each_part_do() {
+        // Four rows, the second empty.
+        let offsets = [0, 2, 2, 3, 6];
+        let mut items = *b"abcdef";
+        let of_parts = |size: usize, items: &mut [u8]| {
+            let parts = parts_of(size, offsets.len() - 1);
+            let ends = parts.iter().map(|rows| offsets[rows.end]);
+            pieces(items, ends).map(|piece| piece.to_vec()).collect::<Vec<_>>()
+        };
+        assert_eq!(of_parts(1, &mut items), [&b"ab"[..], b"", b"c", b"def"]);
+        assert_eq!(of_parts(2, &mut items), [&b"ab"[..], b"cdef"]);
+        assert_eq!(of_parts(3, &mut items), [&b"abc"[..], b"def"]);
+        assert_eq!(of_parts(5, &mut items), [b"abcdef"]);
+        assert!(parts_of(3, 0).is_empty());
     }
 
     #[test]

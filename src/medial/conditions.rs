@@ -3,10 +3,10 @@
 use super::umbrella::Umbrellas;
 use crate::dual::{self, Facets};
 use crate::error::Result;
-use crate::job::{PART, Room, Run};
+use crate::job::{PART, Room, Run, parts_of, pieces};
 use crate::triangulation::Triangulation;
 use crate::vector::{Vec3, cross, dot, length, sub};
-use std::{array, mem};
+use std::array;
 
 /// What the conditions ask of each Voronoi facet, by the two ends of its dual edge.
 ///
@@ -186,21 +186,16 @@ impl Planes {
         }
         let mut blocks = room.filled(offsets[count] as usize, Block::default())?;
         let mut radii = room.filled(count, 0.0f64)?;
-        let (mut rest, mut begin) = (&mut blocks[..], 0);
-        let mut chunks = room.vec(count.div_ceil(PART / 4))?;
-        for radii in radii.chunks_mut(PART / 4) {
-            let its = offsets[begin + radii.len()] - offsets[begin];
-            let (blocks, others) = mem::take(&mut rest).split_at_mut(its as usize);
-            chunks.push((begin, blocks, radii));
-            rest = others;
-            begin += PART / 4;
-        }
-        run.in_steps(chunks, [0.6, 0.7], |(begin, blocks, radii)| {
+        let samples = parts_of(PART / 4, count);
+        let ends = samples.iter().map(|samples| offsets[samples.end] as usize);
+        let results = radii.chunks_mut(PART / 4).zip(pieces(&mut blocks, ends));
+        let chunks = results.zip(&samples).collect();
+        run.in_steps(chunks, [0.6, 0.7], |((radii, blocks), samples)| {
             let mut blocks = blocks.iter_mut();
-            for (i, radius) in radii.iter_mut().enumerate() {
+            for (radius, sample) in radii.iter_mut().zip(samples.clone()) {
                 let mut largest = [0.0; LANES];
-                let rows = blocks_of(begin + i);
-                if i % 1024 == 0 || rows.len() > 1024 {
+                let rows = blocks_of(sample);
+                if sample % 1024 == 0 || rows.len() > 1024 {
                     run.poll()?;
                 }
                 for (rims, block) in rows.zip(&mut blocks) {
@@ -210,7 +205,7 @@ impl Planes {
                         let [u, v] = rims[lane.min(last)];
                         [u.min(v), u.max(v)]
                     });
-                    let radii = block.fill(t, begin + i, rims);
+                    let radii = block.fill(t, sample, rims);
                     largest = array::from_fn(|lane| f64::max(largest[lane], radii[lane]));
                 }
                 *radius = largest.into_iter().fold(0.0, f64::max);

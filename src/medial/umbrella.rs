@@ -3,10 +3,9 @@
 use crate::dual::Dual;
 use crate::error::Result;
 use crate::index::NONE;
-use crate::job::{PART, Room, Run, parts};
+use crate::job::{PART, Room, Run, parts, parts_of, pieces};
 use crate::poles::{FirstPoles, TangentPlane};
 use crate::vector::dot;
-use std::mem;
 
 /// For each sample p the triangles of its umbrella U_p: those at p whose dual Voronoi edge is cut by the tangent polygon, the
 /// plane through p across the pole vector (Dey, Zhao 2004, definitions 2 and 3).
@@ -33,9 +32,9 @@ impl Umbrellas {
     ) -> Result<Self> {
         let count = dual.triangulation().coords().len();
         let is_below = below(dual, poles, room, run)?;
-        let pieces = triangles(dual, poles, &is_below, run)?;
+        let found = triangles(dual, poles, &is_below, run)?;
         let mut offsets = room.filled(count + 1, 0u32)?;
-        for triangle in run.watch(pieces.iter().flat_map(|(triangles, _)| triangles)) {
+        for triangle in run.watch(found.iter().flat_map(|(triangles, _)| triangles)) {
             offsets[triangle?.vertex as usize + 1] += 1;
         }
         for vertex in 0..count {
@@ -43,27 +42,22 @@ impl Umbrellas {
         }
         let mut rims = room.filled(offsets[count] as usize, [0; 2])?;
         let mut next = room.collect(offsets.iter().copied())?;
-        for triangle in run.watch(pieces.iter().flat_map(|(triangles, _)| triangles)) {
+        for triangle in run.watch(found.iter().flat_map(|(triangles, _)| triangles)) {
             let Triangle { vertex, rim } = *triangle?;
             let place = &mut next[vertex as usize];
             rims[*place as usize] = rim;
             *place += 1;
         }
-        drop(pieces);
+        drop(found);
         let mut is_disk = room.filled(count, false)?;
-        let mut chunks = room.vec(count.div_ceil(PART / 4))?;
-        let (mut rest, mut begin) = (&mut rims[..], 0);
-        for is_disk in is_disk.chunks_mut(PART / 4) {
-            let offsets = &offsets[begin..=begin + is_disk.len()];
-            let its = (offsets[is_disk.len()] - offsets[0]) as usize;
-            let (rims, others) = mem::take(&mut rest).split_at_mut(its);
-            chunks.push((is_disk, offsets, rims));
-            rest = others;
-            begin += PART / 4;
-        }
-        run.in_steps(chunks, [0.5, 0.6], |(is_disk, offsets, rims)| {
+        let samples = parts_of(PART / 4, count);
+        let ends = samples.iter().map(|samples| offsets[samples.end] as usize);
+        let results = is_disk.chunks_mut(PART / 4).zip(pieces(&mut rims, ends));
+        let chunks = results.zip(&samples).collect();
+        run.in_steps(chunks, [0.5, 0.6], |((is_disk, rims), samples)| {
             run.poll()?;
             let mut sorted = Vec::new();
+            let offsets = &offsets[samples.start..=samples.end];
             for (is_disk, range) in is_disk.iter_mut().zip(offsets.windows(2)) {
                 let [begin, end] = [0, 1].map(|i| (range[i] - offsets[0]) as usize);
                 *is_disk = chain(&mut rims[begin..end], &mut sorted);

@@ -4,7 +4,7 @@ use super::order::{Ranked, order, split_between_ranks};
 use super::{Bounds, COORDINATE_MAX, COORDINATE_MIN, POINT_LIMIT, Points, PointsOptions};
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::index::NONE;
-use crate::job::{Room, Run, Stage, parts};
+use crate::job::{Room, Run, Stage, parts, pieces};
 use std::sync::OnceLock;
 
 /// [`Points::by_row`], where a row that is `None` is left out unseen.
@@ -131,8 +131,8 @@ fn distinct<F: Fn(usize) -> [f64; 3] + Sync>(
     room: &mut Room<'_>,
     run: &Run<'_>,
 ) -> Result<Distinct> {
-    let pieces = split_between_ranks(&mut ranked);
-    let counts = run.in_parallel(pieces.iter().collect(), |piece| {
+    let ranked = split_between_ranks(&mut ranked);
+    let counts = run.in_parallel(ranked.iter().collect(), |piece| {
         let mut count = 0;
         for i in run.watch(0..piece.len()) {
             count += usize::from(kept.is_new(piece, i?));
@@ -142,15 +142,13 @@ fn distinct<F: Fn(usize) -> [f64; 3] + Sync>(
     let count = counts.iter().sum();
     let mut coords = room.filled(count, [0.0; 3])?;
     let mut row_of_vertex = room.filled(count, 0)?;
-    let (mut coords_left, mut rows_left) = (&mut coords[..], &mut row_of_vertex[..]);
-    let mut parts = Vec::new();
-    for (piece, count) in pieces.into_iter().zip(counts) {
-        let (its_coords, others) = coords_left.split_at_mut(count);
-        let (its_rows, other_rows) = rows_left.split_at_mut(count);
-        parts.push((piece, its_coords, its_rows));
-        (coords_left, rows_left) = (others, other_rows);
-    }
-    let repeated = run.in_parallel(parts, |(piece, coords, rows)| {
+    let ends = counts.iter().scan(0, |end, count| {
+        *end += count;
+        Some(*end)
+    });
+    let results = pieces(&mut coords, ends.clone()).zip(pieces(&mut row_of_vertex, ends));
+    let parts = ranked.into_iter().zip(results).collect();
+    let repeated = run.in_parallel(parts, |(piece, (coords, rows))| {
         let (mut room, mut repeated) = (Room::new(run), Vec::new());
         let mut next = 0;
         for point in run.watch(piece.iter().enumerate()) {

@@ -4,7 +4,7 @@ use super::Triangulation;
 use super::cells::EVEN;
 use crate::error::Result;
 use crate::index::NONE;
-use crate::job::{Job, PART, Room, Run, Stage};
+use crate::job::{Job, PART, Room, Run, Stage, parts_of};
 use crate::sort::sort_by_key;
 use std::ops::Range;
 
@@ -105,9 +105,7 @@ impl Triangulation {
             1 => vertices,
             threads => vertices.div_ceil(2 * threads).max(PART),
         };
-        let ranges = (0..vertices).step_by(size.max(1));
-        let ranges = ranges.map(|begin| begin..vertices.min(begin + size)).collect();
-        let mut pieces = run.in_parallel(ranges, |range| {
+        let mut pieces = run.in_parallel(parts_of(size.max(1), vertices), |range| {
             let mut room = Room::new(run);
             Ok((self.edges_of(incidence, range, &mut room, run)?, room))
         })?;
