@@ -133,26 +133,33 @@ fn long_dot_sign(cells: &[[[f64; 3]; 4]; 2], exponents: [i32; 2]) -> Sign {
     sign_of(&product(&p, &q))
 }
 
-/// The sign of (c - s) x d . (q - s), where c is the centre of a cell and s its first point; d is the centre of another cell less s, its first point, too; or
-/// a normal of three points, to the side from which they turn counterclockwise. The cells must not be flat.
+/// A vector from a point p, of any length.
+#[derive(Clone, Copy)]
+pub(crate) enum Way {
+    /// To the centre of a cell, whose first point p is. The cell must not be flat.
+    Center([[f64; 3]; 4]),
+    /// Along the normal of three points, to the side from which they turn counterclockwise.
+    Normal([[f64; 3]; 3]),
+    /// To a point.
+    Point([f64; 3]),
+}
+
+/// The sign of x x z . (q - p) for two vectors from p.
 #[cold]
-pub(crate) fn triple_sign(
-    cell: [[f64; 3]; 4],
-    direction: std::result::Result<[[f64; 3]; 4], [[f64; 3]; 3]>,
-    q: [f64; 3],
-) -> Sign {
+pub(crate) fn triple_sign(x: Way, z: Way, [p, q]: [[f64; 3]; 2]) -> Sign {
+    let to = |q: [f64; 3]| {
+        let exponent = common_exponent(&[p, q]);
+        difference(&place(q, exponent), &place(p, exponent))
+    };
     // Every vector in units of its own: lengths do not count.
-    let center = |cell: &[[f64; 3]; 4]| {
-        Solution::new(cell, None, unit_exponent(cell, None, [0.0; 3])).direction()
+    let vector = |way: Way| match way {
+        Way::Center(cell) => {
+            Solution::new(&cell, None, unit_exponent(&cell, None, [0.0; 3])).direction()
+        }
+        Way::Normal(corners) => normal(corners, common_exponent(&corners)),
+        Way::Point(x) => to(x),
     };
-    let x = center(&cell);
-    let z = match direction {
-        Ok(cell) => center(&cell),
-        Err(corners) => normal(corners, common_exponent(&corners)),
-    };
-    let exponent = common_exponent(&[cell[0], q]);
-    let along = difference(&place(q, exponent), &place(cell[0], exponent));
-    sign_of(&product(&cross_product(&x, &z), &along))
+    sign_of(&product(&cross_product(&vector(x), &vector(z)), &to(q)))
 }
 
 /// The order of |p| and |q|, where p and q are the centres of two cells less the first point, which they
@@ -320,14 +327,17 @@ mod tests {
                 let is_far = turn.abs() > 1e-9 * size * length(x) * length(sub(q, s));
                 !is_far || found == Sign::of(turn)
             };
-            let turn = triple_sign(cells[0], Ok(cells[1]), q);
+            let turn = triple_sign(Way::Center(cells[0]), Way::Center(cells[1]), [s, q]);
             prop_assert!(check(turn, z, length(z)));
-            prop_assert_eq!(triple_sign(cells[1], Ok(cells[0]), q), -turn);
-            prop_assert_eq!(triple_sign(cells[0], Ok(cells[0]), q), Sign::Zero);
-            let turn = triple_sign(cells[0], Err([c, d, e]), q);
+            prop_assert_eq!(triple_sign(Way::Center(cells[1]), Way::Center(cells[0]), [s, q]), -turn);
+            prop_assert_eq!(triple_sign(Way::Center(cells[0]), Way::Center(cells[0]), [s, q]), Sign::Zero);
+            let turn = triple_sign(Way::Center(cells[0]), Way::Normal([c, d, e]), [s, q]);
             let (u, v) = (sub(d, c), sub(e, c));
             prop_assert!(check(turn, vector::cross(u, v), length(u) * length(v)));
-            prop_assert_eq!(triple_sign(cells[0], Err([c, e, d]), q), -turn);
+            prop_assert_eq!(triple_sign(Way::Center(cells[0]), Way::Normal([c, e, d]), [s, q]), -turn);
+            let turn = triple_sign(Way::Center(cells[0]), Way::Point(c), [s, q]);
+            prop_assert!(check(turn, sub(c, s), length(sub(c, s))));
+            prop_assert_eq!(triple_sign(Way::Point(c), Way::Center(cells[0]), [s, q]), -turn);
         }
 
         #[test]

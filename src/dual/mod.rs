@@ -15,7 +15,7 @@ mod validate;
 
 pub use center::{Center, circumcenter, orthocenter};
 pub(crate) use center::{offsets, radius_order};
-pub(crate) use exact::{direction_sign, dot_sign, triple_sign};
+pub(crate) use exact::{Way, direction_sign, dot_sign, triple_sign};
 pub use facets::Facets;
 pub(crate) use normal::{cross, unit};
 pub use rays::Rays;

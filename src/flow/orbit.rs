@@ -297,8 +297,7 @@ impl Trace<'_> {
         let side = match through {
             Through::Vertex(cell) => view.exit(outline, cell, outline.sides.len()) - 1,
             Through::Query(point) => {
-                let x = view.to(point);
-                view.exit_by(outline, |corner| view.turn(x, view.vector(corner)) > 0.0)
+                view.exit_by(outline, |corner| view.is_beyond_point(point, corner))
             }
             Through::Rounded => {
                 view.exit_by(outline, |corner| view.turn(x, view.vector(corner)) > 0.0)

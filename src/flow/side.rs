@@ -1,7 +1,7 @@
 //! On which side of a ray the corners of a Voronoi facet lie.
 
 use super::outline::{Corner, Outline};
-use crate::dual::{Dual, triple_sign};
+use crate::dual::{Dual, Way, triple_sign};
 use crate::poles::seen_from;
 use crate::predicates::{Sign, UNIT};
 use crate::vector::{Vec3, add, cross, dot, scale, sub};
@@ -44,9 +44,24 @@ impl<'a> View<'a> {
 
     /// Whether a corner lies strictly counterclockwise of the ray through the centre of a cell of the edge: exact.
     pub fn is_beyond(&self, cell: u32, corner: Corner) -> bool {
+        self.is_ahead(self.dual.center_from(cell, self.origin), corner, || self.center(cell))
+    }
+
+    /// Whether a corner lies strictly counterclockwise of the ray through a given point: exact.
+    pub fn is_beyond_point(&self, point: Vec3, corner: Corner) -> bool {
+        let x = self.to(point);
+        self.is_ahead((x, x.map(|x| UNIT * x.abs())), corner, || Way::Point(point))
+    }
+
+    /// By a rounded vector from p along the ray, and the most that each coordinate is off, where these are enough.
+    fn is_ahead(
+        &self,
+        (x, x_error): (Vec3, Vec3),
+        corner: Corner,
+        exact: impl Fn() -> Way,
+    ) -> bool {
         if let Corner::Cell(other) = corner {
-            let [(x, x_error), (z, z_error)] =
-                [cell, other].map(|cell| self.dual.center_from(cell, self.origin));
+            let (z, z_error) = self.dual.center_from(other, self.origin);
             let size = |v: Vec3| v.map(f64::abs);
             let [xs, zs, es] = [x, z, self.along].map(size);
             let most = [0, 1, 2].map(|k| zs[k] + z_error[k]);
@@ -60,7 +75,7 @@ impl<'a> View<'a> {
                 return turn > 0.0;
             }
         }
-        self.sign(cell, corner).is_positive()
+        self.sign(exact(), corner).is_positive()
     }
 
     /// One more than the far side by which the ray through the centre of a cell of the edge leaves, given that it is none of the sides from `last` on:
@@ -113,19 +128,21 @@ impl<'a> View<'a> {
         }
     }
 
-    #[cold]
-    fn sign(&self, cell: u32, corner: Corner) -> Sign {
+    fn sign(&self, x: Way, corner: Corner) -> Sign {
         let t = self.dual.triangulation();
-        let [p, q] = self.ends;
         let at = |v: u32| t.coords()[v as usize];
-        let seen = seen_from(t, p, cell);
-        match corner {
-            Corner::Cell(other) => triple_sign(seen, Ok(seen_from(t, p, other)), at(q)),
+        let z = match corner {
+            Corner::Cell(cell) => self.center(cell),
             Corner::Ray(ray) => {
                 let [cell, facet] = self.dual.rays().facets()[ray as usize];
-                triple_sign(seen, Err(t.facet(cell, facet as usize).map(at)), at(q))
+                Way::Normal(t.facet(cell, facet as usize).map(at))
             }
-        }
+        };
+        triple_sign(x, z, self.ends.map(at))
+    }
+
+    fn center(&self, cell: u32) -> Way {
+        Way::Center(seen_from(self.dual.triangulation(), self.ends[0], cell))
     }
 }
 

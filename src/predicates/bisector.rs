@@ -1,7 +1,7 @@
 //! Where a ray from a sample leaves the sample's Voronoi cell.
 
+use super::UNIT;
 use super::exact;
-use super::lifted::UNIT;
 use super::sign::Sign;
 use std::cmp::Ordering;
 
