@@ -13,6 +13,7 @@ use super::status::medax_status;
 use super::validation::{self, medax_validation};
 use super::view::{Out, medax_view_u8};
 use crate::cocone::{Cocone, CoconeOptions};
+use crate::complex::Complex;
 use std::f64::consts::{FRAC_PI_6, FRAC_PI_8};
 use std::ptr;
 use std::sync::Arc;
@@ -98,12 +99,7 @@ pub unsafe extern "C" fn medax_cocone_surface(
     cocone: *const medax_cocone,
     out_surface: *mut *const medax_complex,
 ) -> medax_status {
-    boundary::status(|| {
-        let cocone = &handle::get(cocone, "cocone")?.cocone;
-        let out = Out::new(out_surface, "out_surface")?;
-        out.put(complex::give(cocone.surface().clone()));
-        Ok(())
-    })
+    surface(cocone, out_surface, Cocone::surface)
 }
 
 /// The surface of Cocone alone, which has a boundary where the sample is too sparse. Vertices have the attribute `sample`.
@@ -118,10 +114,18 @@ pub unsafe extern "C" fn medax_cocone_open_surface(
     cocone: *const medax_cocone,
     out_surface: *mut *const medax_complex,
 ) -> medax_status {
+    surface(cocone, out_surface, Cocone::open_surface)
+}
+
+unsafe fn surface(
+    cocone: *const medax_cocone,
+    out_surface: *mut *const medax_complex,
+    read: fn(&Cocone) -> &Arc<Complex>,
+) -> medax_status {
     boundary::status(|| {
         let cocone = &handle::get(cocone, "cocone")?.cocone;
         let out = Out::new(out_surface, "out_surface")?;
-        out.put(complex::give(cocone.open_surface().clone()));
+        out.put(complex::give(read(cocone).clone()));
         Ok(())
     })
 }
@@ -134,9 +138,7 @@ pub unsafe extern "C" fn medax_cocone_open_surface(
 /// Constant time. Since 0.1.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn medax_cocone_is_inner(cocone: *const medax_cocone) -> medax_view_u8 {
-    boundary::value(medax_view_u8::of_flags(&[]), || {
-        medax_view_u8::of_flags(handle::maybe(cocone).map_or(&[][..], |c| c.cocone.is_inner()))
-    })
+    flags(cocone, Cocone::is_inner)
 }
 
 /// Whether each sample is too sparse beside its neighbours for Cocone to trust it.
@@ -149,10 +151,7 @@ pub unsafe extern "C" fn medax_cocone_is_inner(cocone: *const medax_cocone) -> m
 pub unsafe extern "C" fn medax_cocone_is_undersampled(
     cocone: *const medax_cocone,
 ) -> medax_view_u8 {
-    boundary::value(medax_view_u8::of_flags(&[]), || {
-        let flags = handle::maybe(cocone).map_or(&[][..], |c| c.cocone.is_undersampled());
-        medax_view_u8::of_flags(flags)
-    })
+    flags(cocone, Cocone::is_undersampled)
 }
 
 /// Whether the triangles round each sample are a disk that divides inside from outside. Triangles of undersampled points count here,
@@ -166,9 +165,12 @@ pub unsafe extern "C" fn medax_cocone_is_undersampled(
 pub unsafe extern "C" fn medax_cocone_is_well_sampled(
     cocone: *const medax_cocone,
 ) -> medax_view_u8 {
+    flags(cocone, Cocone::is_well_sampled)
+}
+
+unsafe fn flags(cocone: *const medax_cocone, read: fn(&Cocone) -> &[bool]) -> medax_view_u8 {
     boundary::value(medax_view_u8::of_flags(&[]), || {
-        let flags = handle::maybe(cocone).map_or(&[][..], |c| c.cocone.is_well_sampled());
-        medax_view_u8::of_flags(flags)
+        medax_view_u8::of_flags(handle::maybe(cocone).map_or(&[][..], |c| read(&c.cocone)))
     })
 }
 
