@@ -3,7 +3,7 @@
 //! Indices count from 1, or backwards from the last vertex where negative; a face may name
 //! vertices that follow it. Texture and normal indices are checked to be numbers and dropped.
 //! Other statements (names, groups, materials, normals, curves) are passed over, also those that a
-//! program made up, as long as they begin with a name.
+//! program made up, as long as they begin with a name. A file without a vertex must name an object.
 
 use super::sink::Sink;
 use super::soup::{Builder, Soup};
@@ -17,6 +17,7 @@ pub(super) fn parse(bytes: &[u8], run: &Run<'_>) -> Result<Soup> {
     let mut builder = Builder::new(run);
     let mut greatest = Greatest::default();
     let mut words: Vec<&[u8]> = Vec::new();
+    let mut is_named = false;
     while let Some(line) = lines.next_filled()? {
         let keyword = line.words().next().unwrap_or_default();
         match keyword {
@@ -47,6 +48,7 @@ pub(super) fn parse(bytes: &[u8], run: &Run<'_>) -> Result<Soup> {
                     return Err(too_few(line.number, "a line", "two", words.len()));
                 }
             }
+            b"o" => is_named = true,
             _ if is_name(keyword) => {}
             _ => {
                 let message = format!("{} does not begin an OBJ statement", shown(keyword));
@@ -54,7 +56,7 @@ pub(super) fn parse(bytes: &[u8], run: &Run<'_>) -> Result<Soup> {
             }
         }
     }
-    if builder.vertices.is_empty() {
+    if builder.vertices.is_empty() && !is_named {
         return Err(at_line(lines.number(), "the file ends here, and holds no vertex"));
     }
     greatest.check(builder.vertices.len())?;
@@ -149,6 +151,10 @@ fn is_name(word: &[u8]) -> bool {
 }
 
 pub(super) fn write(complex: &Complex, out: &mut Sink<'_>) -> Result<()> {
+    if complex.vertices().is_empty() {
+        // An object of nothing: a file without a byte may be one that was cut off.
+        out.text(format_args!("o empty\n"))?;
+    }
     for [x, y, z] in complex.vertices() {
         out.text(format_args!("v {x:?} {y:?} {z:?}\n"))?;
         out.row()?;

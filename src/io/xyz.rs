@@ -17,7 +17,7 @@ const ROW_BYTES: u64 = "0 0 0\n".len() as u64;
 pub(super) fn parse(bytes: &[u8], run: &Run<'_>) -> Result<Soup> {
     let mut lines = Lines::new(bytes, run);
     let mut builder = Builder::new(run);
-    let mut promised = None;
+    let (mut promised, mut is_named) = (None, false);
     let mut first_line = 0;
     while let Some(line) = next_row(&mut lines)? {
         if first_line == 0 {
@@ -26,7 +26,8 @@ pub(super) fn parse(bytes: &[u8], run: &Run<'_>) -> Result<Soup> {
             if let Some(count) = promised {
                 lines.check_room(count, ROW_BYTES, "rows")?;
             }
-            if promised.is_some() || names_columns(line) {
+            is_named = names_columns(line);
+            if promised.is_some() || is_named {
                 continue;
             }
         }
@@ -39,7 +40,9 @@ pub(super) fn parse(bytes: &[u8], run: &Run<'_>) -> Result<Soup> {
     let found = builder.vertices.len();
     match promised {
         Some(count) if count > found as u64 => Err(lines.ended(&format!("row {count}"))),
-        None if found == 0 => Err(at_line(lines.number(), "the file ends here, and holds no row")),
+        None if found == 0 && !is_named => {
+            Err(at_line(lines.number(), "the file ends here, and holds no row"))
+        }
         _ => builder.finish((ElementKind::Line, first_line)),
     }
 }
@@ -126,6 +129,9 @@ fn row(line: Line<'_>) -> Result<[f64; 3]> {
 pub(super) fn write(complex: &Complex, separator: char, out: &mut Sink<'_>) -> Result<()> {
     if separator == ',' {
         out.text(format_args!("x,y,z\n"))?;
+    } else if complex.vertices().is_empty() {
+        // The promise of no row: a file without a byte may be one that was cut off.
+        out.text(format_args!("0\n"))?;
     }
     for [x, y, z] in complex.vertices() {
         out.text(format_args!("{x:?}{separator}{y:?}{separator}{z:?}\n"))?;

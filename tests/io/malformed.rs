@@ -215,6 +215,8 @@ fn faults_in_obj() {
         Format::Obj,
         &[
             ("# nothing\n", 1, "holds no vertex"),
+            ("g nothing\n", 1, "holds no vertex"),
+            ("o nothing\nf 1 1 1\n", 2, "vertex 1 is named, and there are 0"),
             ("v 0 0\n", 1, "three coordinates or more, and this one has 2"),
             ("v 0 nil 0\n", 1, "y must be a number, not 'nil'"),
             ("v 0 0 0\n\x01\x02 1\n", 2, "does not begin an OBJ statement"),
@@ -427,8 +429,10 @@ fn a_file_without_points_names_the_place_that_says_so() {
     };
     let (text, little) = (ply("ascii"), ply("binary_little_endian"));
     let binary = samples::stl(b"", &[]);
-    let cases: [(Format, &[u8], ElementKind, u64); 8] = [
+    let cases: [(Format, &[u8], ElementKind, u64); 10] = [
         (Format::Xyz, b"# of nothing\n0\n\n", ElementKind::Line, 2),
+        (Format::Csv, b"# columns\nx;y;z\n", ElementKind::Line, 2),
+        (Format::Obj, b"o nothing\n", ElementKind::Line, 1),
         (Format::Pwn, b"0\n", ElementKind::Line, 1),
         (Format::Off, b"OFF\n# none\n0 0 0\n", ElementKind::Line, 3),
         (Format::Ma, b"0 0 0\n", ElementKind::Line, 1),

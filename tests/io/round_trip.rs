@@ -4,7 +4,9 @@ use crate::samples::{self, Sample};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use medax::complex::{Attribute, CellType, Complex, ComplexParts, Element, Rows, Values};
-use medax::io::{Format, WriteOptions, parse, read, read_complex, write_complex, write_points};
+use medax::io::{
+    Format, WriteOptions, parse, read, read_complex, read_points, write_complex, write_points,
+};
 use medax::points::{Points, PointsOptions};
 use medax::{Job, Status};
 use proptest::prelude::*;
@@ -215,6 +217,25 @@ fn ma_holds_triangles_edges_and_radii() {
     let bare = Complex::new(ComplexParts { attributes: Vec::new(), ..self::parts() }).unwrap();
     let error = write_complex(&path, &bare, WriteOptions::default(), &Job::default()).unwrap_err();
     assert_eq!(error.status(), Status::Unsupported);
+}
+
+#[test]
+fn what_is_empty_reads_back_and_gives_no_points() {
+    let radius = attribute("radius", Element::Vertex, 1, Values::F64(Vec::new()));
+    let empty = ComplexParts { attributes: vec![radius], ..ComplexParts::default() };
+    let empty = Complex::new(empty).unwrap();
+    for name in ["a.ply", "a.off", "a.obj", "a.xyz", "a.pts", "a.txt", "a.csv", "a.ma"] {
+        for text in [false, true] {
+            let (back, _) = round_trip(&empty, name, WriteOptions { text });
+            check_elements(&empty, &back);
+        }
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join(name);
+        write_complex(&path, &empty, WriteOptions::default(), &Job::default()).unwrap();
+        let error = read_points(&path, PointsOptions::default(), &Job::default()).unwrap_err();
+        let expected = (Status::TooFewPoints, "the file holds no point");
+        assert_eq!((error.status(), error.message()), expected, "{name}");
+    }
 }
 
 #[test]

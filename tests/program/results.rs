@@ -83,6 +83,35 @@ fn every_command_answers_with_the_schema() {
 }
 
 #[test]
+fn an_empty_result_is_a_complex_and_no_points() {
+    let place = Place::new();
+    place.shape(Shape::Torus, "torus.ply");
+    for name in ["axis.ply", "axis.obj", "axis.xyz"] {
+        let report =
+            place.json(&format!("medial torus.ply --theta-degrees 89.9 --rho 1e9 -o {name}"));
+        assert_eq!(report["counts"]["faces"], 0);
+        assert!(report["warnings"][0].as_str().unwrap().contains("the axis is empty"));
+        let info = place.json(&format!("info {name}"));
+        for kind in ["vertices", "faces", "edges", "cells"] {
+            assert_eq!(info["counts"][kind], 0, "{name}: {kind}");
+        }
+        assert_eq!(info["input"]["points"], 0);
+        assert_eq!((&info["bounds"], &info["topology"]["components"]), (&Value::Null, &0.into()));
+        assert_eq!(info["topology"], report["outputs"][0]["topology"]);
+        assert_eq!(
+            (&info["self_intersecting_pairs"], &info["measure"]["area"]),
+            (&0.into(), &0.0.into())
+        );
+        let error = place.failure(&format!("crust {name}"), 1);
+        assert_eq!(error["status"], "TOO_FEW_POINTS");
+        assert_eq!(error["message"], "the file holds no point");
+    }
+    let attributes = place.json("info axis.ply")["attributes"].clone();
+    let names = attributes.as_array().unwrap().iter().map(|a| a["name"].as_str().unwrap());
+    assert!(names.eq(["radius", "cell"]), "{attributes}");
+}
+
+#[test]
 fn a_torus_goes_from_samples_to_a_solid() {
     let place = Place::new();
     let sampled = place.json("sample torus --seed 3 -o torus.ply");

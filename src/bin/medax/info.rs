@@ -1,9 +1,10 @@
 //! `medax info`: what a file holds.
 
-use crate::report::{Counts, Report, topology_json, topology_line};
+use crate::report::{Counts, Input, Report, topology_json, topology_line};
 use crate::session::{Failure, ReadOptions, Session};
 use medax::complex::Element;
 use medax::io::Soup;
+use medax::points::Bounds;
 use serde_json::{Map, Value, json};
 use std::path::PathBuf;
 
@@ -18,19 +19,26 @@ pub struct Options {
 
 pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> {
     let soup = session.read(&options.input)?;
-    let (points, input) = session.points(&options.input, &soup, &options.read)?;
-    let mut report = Report { command: "info", input, ..Report::default() };
+    let mut report = Report { command: "info", ..Report::default() };
     options.read.describe(&mut report.parameters);
-    let bounds = points.bounds();
-    let (min, max, diagonal) = (bounds.min, bounds.max, bounds.diagonal());
-    report.more.insert("bounds".into(), json!({ "min": min, "max": max, "diagonal": diagonal }));
+    // Without vertices it is no set of points, but it may be a complex: an axis that no facet passed.
+    let is_empty = soup.vertices().is_empty();
+    let mut bounds = Value::Null;
+    if !is_empty {
+        let (points, input) = session.points(&options.input, &soup, &options.read)?;
+        let Bounds { min, max } = points.bounds();
+        let diagonal = points.bounds().diagonal();
+        bounds = json!({ "min": min, "max": max, "diagonal": diagonal });
+        report.input = input;
+        report.lines.push(("from", format!("{min:?}")));
+        report.lines.push(("to", format!("{max:?}")));
+        report.lines.push(("diagonal", format!("{diagonal}")));
+    }
+    report.more.insert("bounds".into(), bounds);
     report.more.insert("attributes".into(), attributes_json(&soup));
-    report.lines.push(("from", format!("{min:?}")));
-    report.lines.push(("to", format!("{max:?}")));
-    report.lines.push(("diagonal", format!("{diagonal}")));
     let names: Vec<&str> = soup.attributes().iter().map(|attribute| attribute.name()).collect();
     report.lines.push(("attributes", names.join(", ")));
-    if !soup.is_mesh() {
+    if !soup.is_mesh() && !is_empty {
         let vertices = Some(soup.vertices().len() as u64);
         report.counts = Counts { vertices, ..Counts::default() };
         report.more.insert("topology".into(), Value::Null);
@@ -39,6 +47,9 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
         return Ok(report);
     }
     let mesh = session.complex(&options.input, soup)?;
+    if is_empty {
+        report.input = Input::of_complex(&options.input, &mesh);
+    }
     let topology = mesh.topology(&session.job)?;
     let measure = mesh.measure(&session.job)?;
     let intersections = mesh.self_intersections(&session.job)?.len();
