@@ -1,154 +1,112 @@
-//! Labels of samples that are noisy and have gaps.
+//! Labelled triangulations: by a mesh, by a power crust and by hand.
 
-use crate::sets::Random;
-use medax::crust::{CONFLICT_LIMIT, Label, LabelRule, PowerCrustOptions};
-use medax::{Job, NONE, Points, PowerCrust, Status};
-use std::f64::consts::TAU;
+use crate::medial::{dual_of, labels_of, samples, torus_mesh};
+use medax::sample::Shape;
+use medax::{Complex, ElementKind, Job, Labels, PowerCrust, Status};
 use std::sync::Arc;
 
-fn crust(points: &Arc<Points>, label_rule: LabelRule) -> PowerCrust {
-    let options = PowerCrustOptions { label_rule, ..Default::default() };
-    let crust = PowerCrust::build(points, options, &Job::default()).unwrap();
-    let report = crust.validate(&Job::default()).unwrap();
-    assert!(report.is_valid(), "{label_rule:?}: {:?}", report.first);
-    crust
-}
-
-fn points(rows: &[[f64; 3]]) -> Arc<Points> {
-    Arc::new(Points::new(rows, Default::default(), &Job::default()).unwrap())
-}
-
-/// Random samples of a torus with radii 2 and 0.7, each moved by up to so much along each axis: only those that turn to one of three
-/// scanners, if asked for.
-fn torus(noise: f64, scanned: bool, seed: u64) -> Arc<Points> {
-    let mut random = Random(seed);
-    let mut rows = Vec::new();
-    while rows.len() < 6000 {
-        let [u, v] = [(); 2].map(|()| TAU * random.unit());
-        let [x, y, z] = [v.cos() * u.cos(), v.cos() * u.sin(), v.sin()];
-        let is_seen = z > 0.2 || x > 0.2 || y < -0.2;
-        let r = 2.0 + 0.7 * v.cos();
-        // The outer half has the larger share of the area.
-        if (is_seen || !scanned) && random.unit() < r / 2.7 {
-            let on = [r * u.cos(), r * u.sin(), 0.7 * v.sin()];
-            rows.push(on.map(|x| x + noise * (2.0 * random.unit() - 1.0)));
-        }
-    }
-    points(&rows)
-}
-
-fn form(crust: &PowerCrust) -> (u64, Option<u64>) {
-    let topology = crust.surface().topology(&Job::default()).unwrap();
-    (topology.components, topology.genus)
-}
-
-#[test]
-fn a_noisy_torus_keeps_its_genus_where_labels_that_spread_lose_it() {
-    for (scanned, seed) in [(false, 7), (false, 8), (true, 7), (true, 8)] {
-        let points = torus(0.05, scanned, seed);
-        let [spread, least, auto] = [LabelRule::Spread, LabelRule::LeastConflict, LabelRule::Auto]
-            .map(|rule| crust(&points, rule));
-        assert!(spread.conflict() > CONFLICT_LIMIT && !spread.is_settled());
-        assert_ne!(form(&spread), (1, Some(1)));
-        assert!(least.conflict() < 0.7 * spread.conflict() && least.is_settled());
-        assert_eq!(form(&least), (1, Some(1)), "scanned {scanned}, seed {seed}");
-        assert_eq!(auto.labels(), least.labels());
-    }
-}
-
-/// On a grid whole samples have hidden poles only, which others hide but for rounding: what hides them tells their labels, or they would come to light on
-/// the wrong side where balls grow or go.
-#[test]
-fn hidden_poles_have_the_labels_of_those_that_hide_them() {
-    let row = |i: usize| {
-        let (u, v) = (TAU * (i / 30) as f64 / 80.0, TAU * (i % 30) as f64 / 30.0);
-        let r = 2.0 + 0.7 * v.cos();
-        [r * u.cos(), r * u.sin(), 0.7 * v.sin()]
+/// The share of the volume of all cells that the labels put elsewhere.
+fn volume_of_disagreement(a: &Labels, b: &Labels) -> f64 {
+    let t = a.triangulation();
+    let volume = |cell: usize| {
+        let [a, b, c, d] = t.cells()[cell].map(|v| t.coords()[v as usize]);
+        let [b, c, d] = [b, c, d].map(|x| [0, 1, 2].map(|k| x[k] - a[k]));
+        let n = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
+        (0..3).map(|k| n[k] * d[k]).sum::<f64>() / 6.0
     };
-    let rows: Vec<_> = (0..80 * 30).map(row).collect();
-    let points = points(&rows);
-    let auto = crust(&points, LabelRule::Auto);
-    assert!(auto.regular().hidden().len() > 1000);
-    assert_eq!((auto.unreached_count(), auto.is_settled()), (0, false));
-    for (pole, &label) in auto.labels().iter().enumerate() {
-        let [x, y, z, _] = auto.poles().balls()[pole];
-        let within = (x.hypot(y) - 2.0).hypot(z) < 0.5;
-        assert_eq!(label == Label::Inner, within, "pole {pole}");
-    }
-    for distance in [-0.1, 0.001, 0.1] {
-        let offset = auto.offset(distance, &Job::default()).unwrap();
-        assert_eq!(form(&offset), (1, Some(1)), "{distance}");
-        let volume = offset.surface().measure(&Job::default()).unwrap().volume;
-        let exact = TAU * TAU / 2.0 * 2.0 * (0.7 + distance) * (0.7 + distance);
-        assert!((volume / exact - 1.0).abs() < 0.02, "{distance}: {volume} for {exact}");
-    }
-    let simplified = auto.simplify(Default::default(), &Job::default()).unwrap();
-    assert_eq!(form(&simplified.crust), (1, Some(1)));
-    let sizes = auto.sizes_at(&rows, &Job::default()).unwrap();
-    let off = |thickness: &f64| (thickness - 1.4).abs() < 0.05;
-    assert!(sizes.thickness.iter().all(off), "{:?}", sizes.thickness.iter().find(|t| !off(t)));
+    let cells = 0..t.cells().len();
+    let all: f64 = cells.clone().map(volume).sum();
+    let differ = cells.filter(|&cell| a.is_inner()[cell] != b.is_inner()[cell]);
+    differ.map(volume).sum::<f64>() / all
 }
 
 #[test]
-fn labels_of_dense_samples_are_those_of_the_paper() {
-    let mut random = Random(5);
-    let rows: Vec<[f64; 3]> = (0..3000).map(|_| random.sphere()).collect();
-    for points in [points(&rows), torus(0.0, false, 1)] {
-        let [spread, auto] = [LabelRule::Spread, LabelRule::Auto].map(|rule| crust(&points, rule));
-        assert!(auto.conflict() < CONFLICT_LIMIT / 10.0 && !auto.is_settled());
-        assert_eq!(auto.labels(), spread.labels());
+fn a_mesh_a_crust_and_the_shape_agree_on_a_dense_torus() {
+    let job = Job::default();
+    let mesh = torus_mesh([120, 48]);
+    let dual = dual_of(mesh.vertices(), &job);
+    let t = dual.triangulation();
+    let by_mesh = Labels::of_mesh(&dual, &mesh, &job).unwrap();
+    let crust = PowerCrust::build(t.points(), Default::default(), &job).unwrap();
+    let by_crust = Labels::of_crust(&dual, &crust, &job).unwrap();
+    let by_hand = labels_of(Shape::Torus, &dual);
+    let cells = t.cells().len();
+    for (name, a, b) in [
+        ("mesh and crust", &by_mesh, &by_crust),
+        ("mesh and shape", &by_mesh, &*by_hand),
+        ("crust and shape", &by_crust, &*by_hand),
+    ] {
+        let differ = a.disagreement(b).unwrap();
+        let brute = a.is_inner().iter().zip(b.is_inner()).filter(|(a, b)| a != b).count();
+        assert_eq!((differ, b.disagreement(a).unwrap()), (brute, brute));
+        let volume = volume_of_disagreement(a, b);
+        println!("{name}: {differ} of {cells} cells, {volume:.1e} of the volume");
+        // Cells that hug the surface are thin.
+        assert!(100 * differ < 8 * cells && volume < 2e-3, "{name}: {differ} of {cells}");
+        assert_eq!(a.disagreement(a).unwrap(), 0);
     }
-}
-
-/// A depth image, taken from the origin, of a wall 3 away with a box before it; depths are rounded to the step.
-fn depth_image(step: f64) -> Arc<Points> {
-    let mut rows = Vec::new();
-    for i in -40..40 {
-        for j in -40..40 {
-            let [x, y] = [i, j].map(|i| f64::from(i) / 50.0);
-            let depth: f64 = if x.abs() < 0.3 && y.abs() < 0.25 { 2.4 } else { 3.0 + 0.4 * x };
-            let depth = (depth / step).round() * step;
-            rows.push([x * depth, y * depth, depth]);
+    for labels in [&by_mesh, &by_crust, &by_hand] {
+        let count = labels.is_inner().iter().filter(|&&inner| inner).count();
+        assert_eq!(labels.inner_count(), count);
+        assert!(3 * count > cells && 6 * count < 5 * cells, "{count} of {cells}");
+        assert!(Arc::ptr_eq(labels.triangulation(), t));
+    }
+    // A cell whose Voronoi vertex is far from the surface has the label of it, whoever gave it.
+    let mut deep = 0;
+    for (cell, &middle) in dual.centers().iter().enumerate() {
+        if Shape::Torus.value(middle).abs() > 0.05 {
+            deep += 1;
+            let [a, b, c] = [&by_mesh, &by_crust, &*by_hand].map(|labels| labels.is_inner()[cell]);
+            assert!(a == b && b == c, "{middle:?}");
         }
     }
-    points(&rows)
-}
-
-/// Of the samples with two poles the share whose pole towards the origin is outer and the other inner.
-fn seen_from_origin(crust: &PowerCrust) -> f64 {
-    let coords = crust.poles().triangulation().coords();
-    let (mut all, mut right) = (0, 0);
-    for (sample, &pair) in coords.iter().zip(crust.poles().pole_of_sample()) {
-        if pair.contains(&NONE) {
-            continue;
-        }
-        let towards = |pole: u32| -> f64 {
-            let ball = crust.poles().balls()[pole as usize];
-            (0..3).map(|k| (ball[k] - sample[k]) * -sample[k]).sum()
-        };
-        let label = |pole: u32| crust.labels()[pole as usize];
-        let [front, back] =
-            if towards(pair[0]) > towards(pair[1]) { pair } else { [pair[1], pair[0]] };
-        all += 1;
-        right += u32::from(label(front) == Label::Outer && label(back) == Label::Inner);
-    }
-    f64::from(right) / f64::from(all)
+    assert!(8 * deep > cells, "{deep}");
 }
 
 #[test]
-fn what_the_scanner_sees_is_outside() {
-    let points = depth_image(0.01);
-    let from = |viewpoint| {
-        let options = PowerCrustOptions { viewpoint, ..Default::default() };
-        let crust = PowerCrust::build(&points, options, &Job::default()).unwrap();
-        let report = crust.validate(&Job::default()).unwrap();
-        assert!(report.is_valid(), "{:?}", report.first);
-        crust
+fn a_mesh_that_is_turned_inside_out_labels_nothing() {
+    let job = Job::default();
+    let mesh = torus_mesh([40, 16]);
+    let dual = dual_of(mesh.vertices(), &job);
+    let mut faces = medax::complex::Rows::default();
+    for face in mesh.faces().iter() {
+        faces.push(&face.iter().rev().copied().collect::<Vec<_>>()).unwrap();
+    }
+    let parts = medax::complex::ComplexParts {
+        vertices: mesh.vertices().to_vec(),
+        faces,
+        ..Default::default()
     };
-    let [blind, seeing] = [None, Some([0.0; 3])].map(from);
-    assert!(seen_from_origin(&seeing) > 0.9);
-    assert!(seen_from_origin(&blind) < 0.8);
-    let nowhere = PowerCrustOptions { viewpoint: Some([f64::NAN; 3]), ..Default::default() };
-    let error = PowerCrust::build(&points, nowhere, &Job::default()).unwrap_err();
+    let turned = Complex::new(parts).unwrap();
+    assert_eq!(Labels::of_mesh(&dual, &turned, &job).unwrap().inner_count(), 0);
+    assert!(Labels::of_mesh(&dual, &mesh, &job).unwrap().inner_count() > 0);
+}
+
+#[test]
+fn bad_input_is_an_error_that_says_where() {
+    let job = Job::default();
+    let dual = dual_of(&samples(Shape::Torus, 0.2), &job);
+    let t = dual.triangulation();
+    let cells = t.cells().len();
+    for count in [0, cells - 1, cells + 1] {
+        let error = Labels::new(t, vec![true; count]).unwrap_err();
+        let element = Some((ElementKind::Cell, count as u64));
+        assert_eq!((error.status(), error.element()), (Status::Mismatch, element));
+    }
+    let other = dual_of(&samples(Shape::Box, 0.2), &job);
+    let [a, b] = [labels_of(Shape::Torus, &dual), labels_of(Shape::Torus, &other)];
+    assert_eq!(a.disagreement(&b).unwrap_err().status(), Status::Mismatch);
+    let crust =
+        PowerCrust::build(other.triangulation().points(), Default::default(), &job).unwrap();
+    let error = Labels::of_crust(&dual, &crust, &job).unwrap_err();
+    assert_eq!(error.status(), Status::Mismatch);
+    let error = Labels::of_mesh(&dual, &Complex::default(), &job).unwrap_err();
     assert_eq!(error.status(), Status::InvalidArgument);
+    let spent = Job::default();
+    spent.cancel();
+    let error = Labels::of_crust(&other, &crust, &spent).unwrap_err();
+    assert_eq!(error.status(), Status::Cancelled);
+    // Those of an equal triangulation are as good.
+    let again = dual_of(&samples(Shape::Torus, 0.2), &job);
+    assert_eq!(a.disagreement(&labels_of(Shape::Torus, &again)).unwrap(), 0);
 }

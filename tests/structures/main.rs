@@ -1,7 +1,6 @@
 //! The library's structures, from points to power crusts, over sets that break such programs.
 
 mod authors_failures;
-mod cell_labels;
 mod cocone;
 mod crust;
 mod dual;

@@ -1,5 +1,7 @@
 //! Power crusts of shapes whose answer is known, and of sets that have none.
 
+mod label;
+
 use crate::sets::{self, Random, Set};
 use medax::complex::{Element, Values};
 use medax::crust::{Label, PowerCrustOptions};
