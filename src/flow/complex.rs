@@ -24,7 +24,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct FlowComplex {
     flow: Arc<Flow>,
-    its: Subdivision,
+    pub(super) its: Subdivision,
 }
 
 impl FlowComplex {

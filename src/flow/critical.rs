@@ -134,12 +134,10 @@ impl CriticalPoints {
     }
 
     fn push(&mut self, source: &Source<'_>, simplex: Simplex, room: &mut Room<'_>) -> Result<()> {
-        let (at, corners) = (source.center_of(simplex), source.corners(simplex));
-        let sample = source.dual.triangulation().coords()[corners[0] as usize];
         room.push(&mut self.simplices, simplex)?;
-        room.push(&mut self.points, at)?;
-        room.push(&mut self.distances, length(sub(at, sample)))?;
-        room.push(&mut self.corners, corners)
+        room.push(&mut self.points, source.center_of(simplex))?;
+        room.push(&mut self.distances, source.radius(simplex))?;
+        room.push(&mut self.corners, source.corners(simplex))
     }
 
     /// Tells apart those of the surface and those of the medial axis: these have a slope of more than so much. The cells round the Voronoi face
@@ -206,7 +204,9 @@ impl CriticalPoints {
                 cell => center(cell),
             };
             let to = sub(self.points[i], s);
-            slope += (dot(to, pole) / (length(to) * length(pole))).abs();
+            // Where rounding has put the point on its sample the angle is lost.
+            let size = length(to) * length(pole);
+            slope += if size > 0.0 { (dot(to, pole) / size).abs() } else { 0.0 };
             let side = dot(to, pole);
             let mut farthest = self.distances[i];
             for &cell in incidence.cells_of(v) {

@@ -20,6 +20,7 @@ mod subdivision;
 mod touched;
 mod triangles;
 mod upstream;
+mod validate;
 
 pub use complex::FlowComplex;
 pub use core::{Core, CoreOptions, Excluded};

@@ -8,7 +8,7 @@ use crate::index::NONE;
 use crate::job::{Job, Room, Run, Stage};
 use crate::points::{COORDINATE_MAX, COORDINATE_MIN};
 use crate::triangulation::{Descent, Incidence};
-use crate::vector::{Vec3, length, scale, sub};
+use crate::vector::{Vec3, add, length, scale, sub};
 
 /// The queries between two reports.
 const BATCH: usize = 256;
@@ -137,12 +137,8 @@ impl Places {
         let t = source.dual.triangulation();
         let corners = t.cells()[cell as usize];
         let is_near = corners.map(|v| self.nearest.contains(&v));
-        let radius = |simplex: Simplex| {
-            let sample = t.coords()[source.corners(simplex)[0] as usize];
-            length(sub(source.center_of(simplex), sample))
-        };
         let mut offer = |simplex: Simplex| {
-            let radius = radius(simplex);
+            let radius = source.radius(simplex);
             if radius > best.1 || (radius == best.1 && simplex < best.0) {
                 *best = (simplex, radius);
             }
@@ -185,8 +181,26 @@ impl Source<'_> {
                 let [p, q] = self.facets.edges()[facet as usize].map(at);
                 middle(p, q)
             }
-            Simplex::Triangle(triangle) => self.center_of_triangle(triangle),
+            Simplex::Triangle(triangle) => {
+                let [corner, way] = self.center_of_triangle(triangle);
+                add(corner, way)
+            }
             Simplex::Cell(cell) => self.dual.centers()[cell as usize],
+        }
+    }
+
+    /// The radius of the smallest sphere through a simplex: not from its rounded centre, of which a short edge may be at either end.
+    pub fn radius(&self, simplex: Simplex) -> f64 {
+        let t = self.dual.triangulation();
+        let at = |v: u32| t.coords()[v as usize];
+        match simplex {
+            Simplex::Sample(_) => 0.0,
+            Simplex::Edge(facet) => {
+                let [p, q] = self.facets.edges()[facet as usize].map(at);
+                0.5 * length(sub(q, p))
+            }
+            Simplex::Triangle(triangle) => length(self.center_of_triangle(triangle)[1]),
+            Simplex::Cell(cell) => self.dual.radii_squared()[cell as usize].sqrt(),
         }
     }
 

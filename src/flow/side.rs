@@ -88,28 +88,40 @@ impl<'a> View<'a> {
         far
     }
 
-    /// Where a ray hits a side: the share of it from its beginning, or the distance from its finite end. Beyond the hit before, if there is one.
+    /// Where the ray through a point of the facet hits a side: the share of it from its beginning, or the distance from its finite end. Beyond the hit before, if there is
+    /// one; and where rounding leaves nothing of the crossing, as where the facet has no width there, not nearer to the driver than the point.
     pub fn share(&self, outline: &Outline, side: usize, x: Vec3, last: Option<f64>) -> f64 {
         let (begin, end) = (outline.corners[side], outline.end(side));
         let turn = |corner| self.turn(x, self.vector(corner));
+        let (from, to) = (-turn(begin).min(0.0), turn(end).max(0.0));
+        let share = match (begin, end) {
+            (Corner::Cell(_), Corner::Cell(_)) => from / (from + to),
+            (_, Corner::Ray(_)) => from / to,
+            (Corner::Ray(_), _) => to / from,
+        };
+        let at = self.to(self.place(outline, side, share));
+        let share = match dot(at, at) >= dot(x, x) {
+            true => share,
+            false => self.foot(outline, side, x),
+        };
         match (begin, end) {
-            (Corner::Cell(_), Corner::Cell(_)) => {
-                let (from, to) = (turn(begin).min(0.0), turn(end).max(0.0));
-                let share = from / (from - to);
-                let share = if share.is_nan() { 0.5 } else { share };
-                share.clamp(0.0, last.unwrap_or(1.0))
-            }
-            (_, Corner::Ray(_)) => {
-                let share = -turn(begin).min(0.0) / turn(end).max(0.0);
-                let share = if share.is_nan() { 0.0 } else { share };
-                share.min(last.unwrap_or(FARTHEST)).min(FARTHEST)
-            }
-            (Corner::Ray(_), _) => {
-                let share = turn(end).max(0.0) / -turn(begin).min(0.0);
-                let share = if share.is_nan() { 0.0 } else { share };
-                share.max(last.unwrap_or(0.0)).min(FARTHEST)
-            }
+            (Corner::Cell(_), Corner::Cell(_)) => share.clamp(0.0, last.unwrap_or(1.0)),
+            (_, Corner::Ray(_)) => share.clamp(0.0, last.unwrap_or(FARTHEST)),
+            (Corner::Ray(_), _) => share.clamp(last.unwrap_or(0.0), FARTHEST),
         }
+    }
+
+    /// Where on a side the point nearest to another one lies, as [`View::share`].
+    fn foot(&self, outline: &Outline, side: usize, x: Vec3) -> f64 {
+        let (begin, along) = match (outline.corners[side], outline.end(side)) {
+            (Corner::Ray(ray), cell) | (cell, Corner::Ray(ray)) => {
+                (self.vector(cell), self.vector(Corner::Ray(ray)))
+            }
+            (begin, end) => (self.vector(begin), sub(self.vector(end), self.vector(begin))),
+        };
+        let foot = dot(sub(x, begin), along) / dot(along, along);
+        // Of a side without length any point is it.
+        if foot.is_nan() { 0.0 } else { foot }
     }
 
     /// The point of a side.

@@ -32,8 +32,8 @@ impl Source<'_> {
         !self.triangles.cells(t, triangle).into_iter().any(is_beyond)
     }
 
-    /// The centre of a triangle's smallest sphere, in its plane.
-    pub fn center_of_triangle(&self, triangle: u32) -> Vec3 {
+    /// The centre of a triangle's smallest sphere, in its plane: a corner, and the way from there, which is exact to some units of rounding where the triangle is acute.
+    pub fn center_of_triangle(&self, triangle: u32) -> [Vec3; 2] {
         let t = self.dual.triangulation();
         let [p, q, r] = self.triangles.corners(t, triangle).map(|v| t.coords()[v as usize]);
         circumcenter(p, q, r)
@@ -56,8 +56,8 @@ impl Source<'_> {
     }
 }
 
-/// The centre of the smallest sphere through three points, from the corner with the largest angle.
-fn circumcenter(p: Vec3, q: Vec3, r: Vec3) -> Vec3 {
+/// The corner with the largest angle, and the way from there to the centre of the smallest sphere through three points.
+fn circumcenter(p: Vec3, q: Vec3, r: Vec3) -> [Vec3; 2] {
     let opposite = [[p, q, r], [q, r, p], [r, p, q]];
     let length = |[_, b, c]: &[Vec3; 3]| dot(sub(*c, *b), sub(*c, *b));
     let widest = opposite.iter().max_by(|x, y| length(x).total_cmp(&length(y)));
@@ -65,5 +65,5 @@ fn circumcenter(p: Vec3, q: Vec3, r: Vec3) -> Vec3 {
     let (a, b) = (sub(q, p), sub(r, p));
     let normal = cross(a, b);
     let sum = add(scale(cross(b, normal), dot(a, a)), scale(cross(normal, a), dot(b, b)));
-    add(p, scale(sum, 0.5 / dot(normal, normal)))
+    [p, scale(sum, 0.5 / dot(normal, normal))]
 }

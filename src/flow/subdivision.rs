@@ -89,7 +89,8 @@ impl Subdivision {
         let points = cuts.hits.len() + saddles.len();
         its.points = room.vec(points)?;
         its.points.extend(cuts.hits.iter().map(|hit| hit.at));
-        its.points.extend(saddles.iter().map(|&triangle| source.center_of_triangle(triangle)));
+        let center = |&triangle: &u32| source.center_of(Simplex::Triangle(triangle));
+        its.points.extend(saddles.iter().map(center));
         its.triangle_of_point = room.vec(points)?;
         its.triangle_of_point.extend(cuts.hits.iter().map(|hit| hit.triangle));
         its.triangle_of_point.extend(saddles.iter());

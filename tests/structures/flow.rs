@@ -3,7 +3,7 @@
 use crate::medial::{dual_of, labels_of, samples};
 use crate::sets::{self, Random};
 use medax::dual::DualOptions;
-use medax::flow::{CoreOptions, Flow, FlowOptions, Simplex};
+use medax::flow::{CoreOptions, Flow, FlowComplex, FlowOptions, Simplex};
 use medax::sample::Shape;
 use medax::{Dual, Job, JobOptions, Labels, Status};
 use std::collections::{BTreeMap, BTreeSet};
@@ -343,4 +343,23 @@ fn the_flow_at_a_point_is_that_of_its_nearest_samples() {
         }
         assert!(length(sub(x, at.driver)) < 1e-12, "{x:?} {at:?}");
     }
+}
+
+#[test]
+fn flows_of_every_kind_of_set_and_their_complexes_are_valid() {
+    let mut tried = 0;
+    for set in sets::all(200) {
+        let job = Job::default();
+        let Ok(points) = medax::Points::new(&set.rows, Default::default(), &job) else { continue };
+        let Ok(t) = medax::Triangulation::delaunay(&Arc::new(points), &job) else { continue };
+        let dual = Arc::new(Dual::new(&Arc::new(t), DualOptions { facets: true }, &job).unwrap());
+        let flow = Flow::new(&dual, &all_inner(&dual), Default::default(), &job).unwrap();
+        let report = flow.validate(&job).unwrap();
+        assert!(report.is_valid(), "{}: {report:?}", set.name);
+        let complex = FlowComplex::new(&Arc::new(flow), &job).unwrap();
+        let report = complex.validate(&job).unwrap();
+        assert!(report.is_valid(), "{}: {report:?}", set.name);
+        tried += 1;
+    }
+    assert!(tried > 10, "{tried}");
 }
