@@ -49,6 +49,42 @@ impl Flow {
         })
     }
 
+    /// The critical points as vertices, with the attributes `index`, `class` (0 the surface's, 1 inner, 2 outer), `radius` (their distance from the samples, in input units), `slope`, `share` and `samples`
+    /// (the nearest ones, then [`NONE`]). Samples, which are those of index 0, are left out.
+    ///
+    /// Errors: those of the job. Cost: O(critical points).
+    pub fn critical_complex(&self, job: &Job) -> Result<Complex> {
+        job.run(&[(Stage::Extract, 1.0)], |run| {
+            run.enter(Stage::Extract)?;
+            let mut room = Room::new(run);
+            let critical = &self.critical;
+            let first = self.dual.triangulation().coords().len();
+            let rows = first..critical.len();
+            let vertices = room.collect(rows.clone().map(|i| critical.points()[i]))?;
+            let indices = rows.clone().map(|i| critical.simplices()[i].dimension() as u32);
+            let indices = room.collect(indices)?;
+            let classes = room.collect(rows.clone().map(|i| critical.classes()[i] as u32))?;
+            let mut samples = room.vec(4 * rows.len())?;
+            rows.clone().for_each(|i| samples.extend_from_slice(&critical.corners()[i]));
+            let of = |values: &[f64], room: &mut Room<'_>| {
+                Ok::<_, Error>(Values::F64(room.collect(values[first..].iter().copied())?))
+            };
+            let radii = of(critical.distances(), &mut room)?;
+            let slopes = of(critical.slopes(), &mut room)?;
+            let shares = of(critical.shares(), &mut room)?;
+            let attributes = vec![
+                Attribute::new("index", Element::Vertex, 1, Values::U32(indices))?,
+                Attribute::new("class", Element::Vertex, 1, Values::U32(classes))?,
+                Attribute::new("radius", Element::Vertex, 1, radii)?,
+                Attribute::new("slope", Element::Vertex, 1, slopes)?,
+                Attribute::new("share", Element::Vertex, 1, shares)?,
+                Attribute::new("samples", Element::Vertex, 4, Values::U32(samples))?,
+            ];
+            let parts = ComplexParts { vertices, attributes, ..ComplexParts::default() };
+            Complex::sound_in(parts, run)
+        })
+    }
+
     /// Errors: [`Status::InvalidArgument`] for a face that the Voronoi diagram does not have.
     pub(super) fn check_face(&self, face: Simplex) -> Result<()> {
         let t = self.dual.triangulation();

@@ -149,7 +149,7 @@ fn check_critical(
     for row in run.watch(0..simplices.len()) {
         let row = row?;
         let (at, radius) = (critical.points()[row], critical.distances()[row]);
-        sum += if simplices[row].dimension() % 2 == 0 { 1 } else { -1 };
+        sum += [1, -1, 1, -1][simplices[row].dimension()];
         let corners = source.corners(simplices[row]);
         let far = |v: u32| length(sub(t.coords()[v as usize], at));
         let slack = SLACK * radius + source.blur(simplices[row]);

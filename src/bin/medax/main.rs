@@ -7,7 +7,9 @@ mod cocone;
 mod compare;
 mod crust;
 mod decimate;
+mod extend;
 mod flatten;
+mod flow;
 mod info;
 mod labels;
 mod medial;
@@ -28,7 +30,7 @@ use report::Report;
 use session::{Failure, Session};
 use std::process::ExitCode;
 
-/// Samples of a surface in; triangulations, poles, power crusts and medial axes out.
+/// Samples of a surface in; triangulations, poles, power crusts, medial axes and cores out.
 #[derive(Parser)]
 #[command(version, arg_required_else_help = true)]
 struct Arguments {
@@ -45,6 +47,7 @@ enum Command {
     Crust(Box<crust::Options>),
     Cocone(cocone::Options),
     Medial(Box<medial::Options>),
+    Flow(Box<flow::Options>),
     Info(info::Options),
     Compare(compare::Options),
     Decimate(decimate::Options),
@@ -60,6 +63,7 @@ impl Command {
             Command::Crust(options) => crust::run(options, session),
             Command::Cocone(options) => cocone::run(options, session),
             Command::Medial(options) => medial::run(options, session),
+            Command::Flow(options) => flow::run(options, session),
             Command::Info(options) => info::run(options, session),
             Command::Compare(options) => compare::run(options, session),
             Command::Decimate(options) => decimate::run(options, session),
