@@ -40,6 +40,7 @@ if [ "$target" = test ]; then
     have nm || missing_package binutils
     have pkg-config || missing_package pkg-config
     have valgrind || missing_package valgrind
+    python3 -c 'import ensurepip, venv' >/dev/null 2>&1 || missing_package python3-venv
     have_header OpenMesh/Core/System/config.h || missing_package libopenmesh-dev
 fi
 

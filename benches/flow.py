@@ -1,0 +1,153 @@
+#!/usr/bin/env python3
+"""Cores of real models and of smooth shapes: docs/flow.md. The structure of Giesen, Ramos, Sadri 2010, *Medial axis approximation and unstable flow complex*.
+
+usage: flow.py MEDAX DATA FOLDER
+
+MEDAX is the program, DATA the folder with the models, FOLDER where flow.md goes. Seconds are elapsed ones, medians of three runs with one thread; peaks are of the library's own arrays."""
+
+import datetime
+import json
+import pathlib
+import platform
+import statistics
+import subprocess
+import sys
+import tempfile
+
+# The Betti numbers of the solids, and why a core may be wrong.
+MODELS = [
+    ("3holes.off", [1, 3, 0], ""),
+    ("rocker-arm.obj", [1, 1, 0], ""),
+    ("refined_elephant.off", [1, 3, 0], ""),
+    ("cavity_and_ring.off", [2, 1, 1], "the void's wall is sampled by few points"),
+    ("kitten.xyz", [1, 1, 0], ""),
+    ("hotdogs.pts", [2, 0, 0], ""),
+    ("mannequin.off", [1, 0, 0], "undersampled at the ears"),
+    ("foot.off", [1, 0, 0], ""),
+    ("igea.ply", [1, 0, 0], "open at the base, which Tight Cocone closes with few large triangles"),
+    ("ant.off", [1, 0, 0], ""),
+    ("fandisk.off", [1, 0, 0], "sharp edges"),
+    ("abc_plate_00000329.obj", [1, 3, 0], "sharp edges"),
+]
+SHAPES = [("ellipsoid", [1, 0, 0]), ("capsule", [1, 0, 0]), ("torus", [1, 1, 0]), ("genus3", [1, 3, 0]), ("trefoil", [1, 1, 0])]
+GROWTH = [10_000, 30_000, 100_000, 300_000, 1_000_000]
+
+
+def run(medax, command, path, *options):
+    done = subprocess.run([medax, command, path, "--json", "--quiet", *map(str, options)], capture_output=True, text=True)
+    report = json.loads(done.stdout)
+    return report if done.returncode == 0 else None
+
+
+def betti(report):
+    return None if report is None else report["outputs"][0]["topology"]["betti"]
+
+
+def show(found, solid):
+    if found is None:
+        return "-"
+    text = ", ".join(map(str, found))
+    return text if found == solid else f"**{text}**"
+
+
+def seconds(report, name):
+    return sum(stage["wall_seconds"] for stage in report["stages"] if stage["name"] == name)
+
+
+def models(medax, data, add):
+    add("## Betti numbers\n")
+    add("Labels are those of Tight Cocone; numbers over Z/2, those that are wrong in bold. *MEDIAL* is the axis that `medax medial` writes; *plain core* the union of the unstable manifolds of the inner critical")
+    add("points (`--plain`), *core* the repaired one; *extended* the core with the flow of MEDIAL's facets. *Taken*, and left out: facets that the theorem cannot take, since their flow comes to a critical point of the surface or of")
+    add("the other side (*leaving*), or since they cross the surface (*crossing*).\n")
+    add("| model | solid | MEDIAL | plain core | core | extended, plain | extended | faces and hairs of the core | taken | leaving | crossing | why the plain core is wrong |")
+    add("| --- | --- | --- | --- | --- | --- | --- | --: | --: | --: | --: | --- |")
+    for name, solid, why in MODELS:
+        path = data / name
+        axis = betti(run(medax, "medial", path))
+        plain, core, wide = (betti(run(medax, "flow", path, *options)) for options in (["--plain"], [], ["--plain", "--extend", "medial"]))
+        report = run(medax, "flow", path)
+        counts = report["counts"]
+        extended = run(medax, "flow", path, "--extend", "medial")
+        found = extended["flow"]["core"]
+        out = found["excluded"]
+        add(f"| {path.stem} | {show(solid, solid)} | {show(axis, solid)} | {show(plain, solid)} | {show(core, solid)} | {show(wide, solid)} | {show(betti(extended), solid)} | {counts['faces']:,}, {counts['edges']:,} | "
+            f"{found['taken']:,} | {out['leaving']:,} | {out['of_surface']:,} | {why if plain != solid else ''} |")
+    add("")
+
+
+def coarsest(medax, folder, add):
+    add("## The coarsest samples\n")
+    add("Smooth shapes, sampled evenly and at random, ever finer: the largest spacing, in units of the shape's least feature size, at which what is written has the right Betti numbers, as it has at every finer one that was tried (each 0.9 times the")
+    add("one before, three samples of each, down to a tenth of the feature size). Labels are those of Tight Cocone.\n")
+    kinds = [("MEDIAL", "medial", []), ("plain core", "flow", ["--plain"]), ("core", "flow", []), ("extended, plain", "flow", ["--plain", "--extend", "medial"]), ("extended", "flow", ["--extend", "medial"])]
+    add("| shape | " + " | ".join(kind for kind, _, _ in kinds) + " |")
+    add("| --- |" + " --: |" * len(kinds))
+    for shape, solid in SHAPES:
+        # By default the spacing is a quarter of the least feature size.
+        size = 4 * run(medax, "sample", shape)["parameters"]["spacing"]
+        right = {kind: None for kind, _, _ in kinds}
+        wrong = set()
+        share = 0.1
+        while share < 1.5 and len(wrong) < len(kinds):
+            paths = []
+            for seed in range(3):
+                path = folder / f"{shape}{seed}.ply"
+                run(medax, "sample", shape, "--spacing", share * size, "--seed", seed, "-o", path)
+                paths.append(path)
+            for kind, command, options in kinds:
+                if kind not in wrong:
+                    if all(betti(run(medax, command, path, *options)) == solid for path in paths):
+                        right[kind] = share
+                    else:
+                        wrong.add(kind)
+            share /= 0.9
+        add(f"| {shape} | " + " | ".join("-" if right[kind] is None else f"{right[kind]:.2f}" for kind, _, _ in kinds) + " |")
+    add("")
+
+
+def growth(medax, folder, add):
+    add("## Cost\n")
+    add("Samples of the trefoil tube. Seconds of the triangulation with its dual, of the flow (drivers, critical points), of the core, of the core extended by MEDIAL's facets, and of the whole flow complex with its number of faces; and the largest amount of memory that")
+    add("the library's own arrays took at once, of the core and of the whole complex, by the samples.\n")
+    add("| samples | triangulation, dual | flow and core | extended core | whole complex | by triangulation: core | whole | core, bytes a sample | whole, bytes a sample | faces of the whole |")
+    add("| --: | --: | --: | --: | --: | --: | --: | --: | --: | --: |")
+    first = None
+    for count in GROWTH:
+        path = folder / "growth.ply"
+        spacing = run(medax, "sample", "trefoil", "-o", path)["parameters"]["spacing"]
+        points = run(medax, "info", path)["counts"]["vertices"]
+        run(medax, "sample", "trefoil", "--spacing", spacing * (points / count) ** 0.5, "-o", path)
+        rounds = {"core": [], "extended": [], "whole": []}
+        for _ in range(3 if count < 300_000 else 1):
+            for kind, options in [("core", []), ("extended", ["--extend", "medial"]), ("whole", ["--complex"])]:
+                rounds[kind].append(run(medax, "flow", path, "--threads", 1, *options))
+        middle = lambda kind, name: statistics.median(seconds(report, name) for report in rounds[kind])
+        base = middle("core", "triangulate") + middle("core", "dual")
+        core, whole = middle("core", "flow"), middle("whole", "flow")
+        extended = middle("extended", "flow")
+        samples = rounds["core"][0]["input"]["points"]
+        peaks = [rounds[kind][0]["peak_memory_bytes"] / samples for kind in ("core", "whole")]
+        faces = rounds["whole"][0]["counts"]["faces"]
+        add(f"| {samples:,} | {base:.3f} | {core:.3f} | {extended:.3f} | {whole:.2f} | {core / base:.2f} | {whole / base:.1f} | {peaks[0]:,.0f} | {peaks[1]:,.0f} | {faces:,} |")
+        last = (samples, base, core, whole)
+        first = first or last
+    times = last[0] / first[0]
+    add(f"\nFrom the first row to the last the samples grow {times:.0f} times, the seconds of the triangulation {last[1] / first[1]:.0f} times, of flow and core {last[2] / first[2]:.0f} times, of the whole complex {last[3] / first[3]:.0f} times.\n")
+
+
+def main():
+    medax, data, target = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+    page = []
+    add = page.append
+    add("# Cores\n")
+    add("Axes with the topology of the solid, from the flow of the distance to the samples (Giesen, Ramos, Sadri 2010; [docs/algorithms/flow.md](algorithms/flow.md)), beside those of MEDIAL. `make flow` makes this page;")
+    add(f"this one was made on {datetime.date.today()}, {platform.machine()}, {platform.system()}.\n")
+    if data.is_dir():
+        models(medax, data, add)
+    with tempfile.TemporaryDirectory() as folder:
+        coarsest(medax, pathlib.Path(folder), add)
+        growth(medax, pathlib.Path(folder), add)
+    (target / "flow.md").write_text("\n".join(page).rstrip() + "\n")
+
+
+main()
