@@ -9,7 +9,7 @@ COUNTED := --features count-stages --test predicates
 HOST = $(shell rustc -vV | sed -n 's/^host: //p')
 CONFIGURE := cmake -S . -B $(BUILD)/medax
 
-.PHONY: help demo test test-rust test-package bench bench-peers results medial figure3 convergence stress tsan header doc install clean
+.PHONY: help demo test test-rust test-package bench bench-peers results medial flow figure3 convergence stress tsan header doc install clean
 .DEFAULT_GOAL := help
 
 help:
@@ -19,6 +19,7 @@ help:
 	@echo 'make bench-peers       triangulations against those of CGAL, in turns'
 	@echo 'make results           power crusts of real models against what is known of them: docs/results.md'
 	@echo 'make medial            medial axes of real models, tables and pictures: docs/medial.md; needs pyvista'
+	@echo 'make flow              cores of real models and smooth shapes, and what they cost: docs/flow.md'
 	@echo 'make figure3           seconds against the number of samples, to 4,000,000: docs/scaling.md; takes 14 GB'
 	@echo 'make convergence       medial axes against exact ones where samples grow dense: docs/convergence.md'
 	@echo 'make stress            triangulations of a million points checked, and fifty builds compared'
@@ -86,6 +87,10 @@ medial:
 	cargo build --release --locked
 	python3 benches/medial.py target/release/medax $(MODELS) docs
 	python3 benches/axes.py target/release/medax $(MODELS) docs/axes.png
+
+flow:
+	cargo build --release --locked
+	python3 benches/flow.py target/release/medax $(MODELS) docs
 
 # Minutes, and the more exact the less else there is to do for the machine.
 figure3:

@@ -3,6 +3,7 @@
 //! Prints a table, fields parted by tabs, which `benches/convergence.py` makes the page and the plot of. With a folder of models as its argument it takes
 //! 3holes.off too.
 
+mod flow;
 mod surfaces;
 
 use medax::complex::{CompareOptions, Comparison, ComplexParts, Element, Rows, Values, compare};
@@ -478,6 +479,7 @@ fn main() {
     let epsilons = if quick { &EPSILONS[..2] } else { &EPSILONS };
     ratios(epsilons[epsilons.len() - 1]);
     convergence(epsilons);
+    flow::convergence(epsilons);
     degenerate();
     densities(words.first().map(String::as_str));
 }

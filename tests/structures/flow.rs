@@ -3,7 +3,7 @@
 use crate::medial::{dual_of, labels_of, samples};
 use crate::sets::{self, Random};
 use medax::dual::DualOptions;
-use medax::flow::{CoreOptions, Flow, FlowComplex, FlowOptions, Simplex};
+use medax::flow::{CoreOptions, Flow, FlowComplex, FlowElement, FlowOptions, Simplex};
 use medax::sample::Shape;
 use medax::{Dual, Job, JobOptions, Labels, Status};
 use std::collections::{BTreeMap, BTreeSet};
@@ -185,16 +185,66 @@ fn cores_of_smooth_shapes_have_their_homotopy_type() {
 #[test]
 fn threads_change_nothing() {
     let rows = samples(Shape::Genus3, 0.12);
-    let cores: Vec<_> = [1, 2, 8]
+    let found: Vec<_> = [1, 2, 8]
         .into_iter()
         .map(|threads| {
-            let job = Job::new(JobOptions { threads, ..Default::default() });
-            let flow = flow(&rows, |dual| labels_of(Shape::Genus3, dual), &job);
-            let job = Job::new(JobOptions { threads, ..Default::default() });
-            flow.core(CoreOptions::default(), &[], &job).unwrap().complex().clone()
+            let job = || Job::new(JobOptions { threads, ..Default::default() });
+            let flow = flow(&rows, |dual| labels_of(Shape::Genus3, dual), &job());
+            let facets: Vec<u32> = (0..flow.dual().facets().unwrap().len() as u32).collect();
+            let core = flow.core(CoreOptions::default(), &[], &job()).unwrap();
+            let extended = flow.core(CoreOptions::default(), &facets, &job()).unwrap();
+            let orbits = flow.orbits(&rows[..1000], &job()).unwrap();
+            let critical = flow.critical_complex(&job()).unwrap();
+            let complex = FlowComplex::new(&Arc::new(flow), &job()).unwrap();
+            let whole = (
+                complex.complex(&job()).unwrap(),
+                complex.edge_of_vertex().to_vec(),
+                complex.face_of_edge().to_vec(),
+            );
+            (core.complex().clone(), extended.complex().clone(), orbits, critical, whole)
         })
         .collect();
-    assert!(cores[0] == cores[1] && cores[0] == cores[2]);
+    assert!(found[0] == found[1] && found[0] == found[2]);
+}
+
+/// The critical points in whose manifolds a face lies, found from the face against the flow, are those whose manifolds, found along it, have the face.
+#[test]
+fn critical_sets_are_the_manifolds_that_hold_an_element() {
+    let mut random = Random(9);
+    let rows: Vec<Point> = (0..40).map(|_| random.cube()).collect();
+    let job = Job::default();
+    let flow = Arc::new(flow(&rows, all_inner, &job));
+    let complex = FlowComplex::new(&flow, &job).unwrap();
+    let faces = (0..complex.faces().len() as u32).map(FlowElement::Face);
+    let vertices = (0..complex.vertex_count() as u32).map(FlowElement::Vertex);
+    let edges = (0..complex.edges().len() as u32).map(FlowElement::Edge);
+    let elements: Vec<FlowElement> = vertices.chain(edges).chain(faces).collect();
+    let sets = complex.critical_sets(&elements, &job).unwrap();
+    let mut expected = vec![Vec::new(); elements.len()];
+    for (row, &simplex) in (0..).zip(flow.critical().simplices()) {
+        let seeds: Vec<FlowElement> = match simplex {
+            Simplex::Sample(v) => (0..)
+                .zip(flow.dual().facets().unwrap().edges())
+                .filter(|(_, ends)| ends.contains(&v))
+                .flat_map(|(facet, _)| complex.elements_of(Simplex::Edge(facet)).unwrap())
+                .collect(),
+            simplex => complex.elements_of(simplex).unwrap(),
+        };
+        for element in complex.closure(&seeds, &job).unwrap() {
+            expected[elements.binary_search(&element).unwrap()].push(row);
+        }
+    }
+    for (i, expected) in expected.iter().enumerate() {
+        assert_eq!(sets.row(i), expected, "{:?}", elements[i]);
+    }
+    // And what can reach an element is what has it in its closure.
+    for &element in elements.iter().step_by(97) {
+        let upstream = complex.upstream(&[element], &job).unwrap();
+        for &other in elements.iter().step_by(31) {
+            let reaches = complex.closure(&[other], &job).unwrap().contains(&element);
+            assert_eq!(upstream.contains(&other), reaches, "{other:?} {element:?}");
+        }
+    }
 }
 
 #[test]
@@ -213,6 +263,22 @@ fn what_cannot_be_is_an_error() {
     assert_eq!(refused(&plain, &labels, 0.5), Status::InvalidArgument);
     let other = dual_of(&samples(Shape::Sphere, 0.5), &job);
     assert_eq!(refused(&other, &labels, 0.5), Status::Mismatch);
+    let flow = Arc::new(Flow::new(&dual, &labels, Default::default(), &job).unwrap());
+    let count = flow.dual().facets().unwrap().len() as u32;
+    for error in [
+        flow.core(CoreOptions::default(), &[0, count], &job).unwrap_err(),
+        flow.closure(&[Simplex::Cell(0), Simplex::Edge(count)], &job).unwrap_err(),
+        FlowComplex::new(&flow, &job)
+            .unwrap()
+            .closure(&[FlowElement::Vertex(u32::MAX)], &job)
+            .unwrap_err(),
+    ] {
+        assert_eq!(error.status(), Status::InvalidArgument);
+    }
+    let queries = [[0.0; 3], [0.0, f64::NAN, 0.0]];
+    assert_eq!(flow.orbits(&queries, &job).unwrap_err().status(), Status::NonFinite);
+    assert_eq!(flow.at(&[[1e300, 0.0, 0.0]], &job).unwrap_err().status(), Status::CoordinateRange);
+    assert_eq!(flow.at(&[], &job).unwrap(), []);
 }
 
 /// The point of a Delaunay simplex that is nearest to its Voronoi face is looked for among the centres of all its sides.
