@@ -19,7 +19,7 @@ help:
 	@echo 'make bench-peers       triangulations against those of CGAL, in turns'
 	@echo 'make results           power crusts of real models against what is known of them: docs/results.md'
 	@echo 'make medial            medial axes of real models, tables and pictures: docs/medial.md; needs pyvista'
-	@echo 'make flow              cores of real models and smooth shapes, and what they cost: docs/flow.md'
+	@echo 'make flow              cores of real models and smooth shapes, tables and pictures: docs/flow.md; needs pyvista'
 	@echo 'make figure3           seconds against the number of samples, to 4,000,000: docs/scaling.md; takes 14 GB'
 	@echo 'make convergence       medial axes against exact ones where samples grow dense: docs/convergence.md'
 	@echo 'make stress            triangulations of a million points checked, and fifty builds compared'
@@ -91,6 +91,7 @@ medial:
 flow:
 	cargo build --release --locked
 	python3 benches/flow.py target/release/medax $(MODELS) docs
+	python3 benches/cores.py target/release/medax $(MODELS) docs/cores.png
 
 # Minutes, and the more exact the less else there is to do for the machine.
 figure3:

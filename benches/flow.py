@@ -143,8 +143,9 @@ def main():
     add("# Cores\n")
     add("Axes with the topology of the solid, from the flow of the distance to the samples (Giesen, Ramos, Sadri 2010; [docs/algorithms/flow.md](algorithms/flow.md)), beside those of MEDIAL. `make flow` makes this page;")
     add(f"this one was made on {datetime.date.today()}, {platform.machine()}, {platform.system()}.\n")
-    if data.is_dir():
-        models(medax, data, add)
+    add("![Cores, axes of MEDIAL, and cores extended by these](cores.png)\n")
+    add("Cores of 3holes, refined_elephant and rocker-arm, loose edges in red; the axes of MEDIAL; the cores extended by these.\n")
+    models(medax, data, add)
     with tempfile.TemporaryDirectory() as folder:
         coarsest(medax, pathlib.Path(folder), add)
         growth(medax, pathlib.Path(folder), add)
