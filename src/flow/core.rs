@@ -57,6 +57,11 @@ impl Core {
         &self.complex
     }
 
+    /// The core alone.
+    pub fn into_complex(self) -> Complex {
+        self.complex
+    }
+
     /// The number of faces and loose edges that are left out, since they are unbounded.
     pub fn unbounded(&self) -> usize {
         self.unbounded

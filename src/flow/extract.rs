@@ -16,16 +16,17 @@ impl Flow {
     /// Ramos, Sadri, section 5, figures 10 and 12), hairs included; of a Voronoi cell all its facets. What is unbounded is left out. Attributes are those of
     /// [`Core::complex`](super::Core::complex).
     ///
-    /// Errors: [`Status::InvalidArgument`] for a face that is not there; those of the job. Cost: O(n), and O(size) of what is reached.
+    /// Errors: [`Status::InvalidArgument`] with the row of a face that is not there; those of the job. Cost: O(n), and O(size) of what is reached.
     pub fn closure(&self, faces: &[Simplex], job: &Job) -> Result<Complex> {
         job.run(&[(Stage::Flow, 0.8), (Stage::Extract, 0.2)], |run| {
             run.enter(Stage::Flow)?;
             let source = self.source()?;
             let mut room = Room::new(run);
             let mut seeds = Vec::new();
-            for face in run.watch(faces) {
-                let &face = face?;
-                self.check_face(face)?;
+            for row in run.watch(faces.iter().enumerate()) {
+                let (row, &face) = row?;
+                let is_there = self.check_face(face);
+                is_there.map_err(|error| error.at(ElementKind::Row, row as u64))?;
                 match face {
                     Simplex::Sample(v) => {
                         for facet in run.watch(0..source.facets.len() as u32) {

@@ -66,30 +66,33 @@ impl Orbits {
     ///
     /// Errors: those of the job. Cost: O(points).
     pub fn complex(&self, job: &Job) -> Result<Complex> {
-        job.run(&[(Stage::Extract, 1.0)], |run| {
-            run.enter(Stage::Extract)?;
-            let mut room = Room::new(run);
-            let count = self.points.len() - self.len();
-            let mut edges = room.vec(count)?;
-            let (mut orbits, mut ends) = (room.vec(count)?, room.vec(count)?);
-            for (orbit, row) in run.watch((0..).zip(self.offsets.windows(2))).flatten() {
-                for begin in row[0]..row[1] - 1 {
-                    edges.push([begin, begin + 1]);
-                    orbits.push(orbit);
-                    ends.push(self.ends[orbit as usize]);
-                }
+        job.run(&[(Stage::Extract, 1.0)], |run| self.complex_in(run))
+    }
+
+    /// [`Orbits::complex`] as a stage of a larger build.
+    pub(crate) fn complex_in(&self, run: &Run<'_>) -> Result<Complex> {
+        run.enter(Stage::Extract)?;
+        let mut room = Room::new(run);
+        let count = self.points.len() - self.len();
+        let mut edges = room.vec(count)?;
+        let (mut orbits, mut ends) = (room.vec(count)?, room.vec(count)?);
+        for (orbit, row) in run.watch((0..).zip(self.offsets.windows(2))).flatten() {
+            for begin in row[0]..row[1] - 1 {
+                edges.push([begin, begin + 1]);
+                orbits.push(orbit);
+                ends.push(self.ends[orbit as usize]);
             }
-            run.poll()?;
-            let vertices = room.collect(self.points.iter().copied())?;
-            let radii = room.collect(self.distances.iter().copied())?;
-            let attributes = vec![
-                Attribute::new("radius", Element::Vertex, 1, Values::F64(radii))?,
-                Attribute::new("orbit", Element::Edge, 1, Values::U32(orbits))?,
-                Attribute::new("end", Element::Edge, 1, Values::U32(ends))?,
-            ];
-            let parts = ComplexParts { vertices, edges, attributes, ..ComplexParts::default() };
-            Complex::sound_in(parts, run)
-        })
+        }
+        run.poll()?;
+        let vertices = room.collect(self.points.iter().copied())?;
+        let radii = room.collect(self.distances.iter().copied())?;
+        let attributes = vec![
+            Attribute::new("radius", Element::Vertex, 1, Values::F64(radii))?,
+            Attribute::new("orbit", Element::Edge, 1, Values::U32(orbits))?,
+            Attribute::new("end", Element::Edge, 1, Values::U32(ends))?,
+        ];
+        let parts = ComplexParts { vertices, edges, attributes, ..ComplexParts::default() };
+        Complex::sound_in(parts, run)
     }
 }
 
@@ -101,16 +104,15 @@ impl Flow {
     /// a Voronoi vertex leaves its facet. Rounded: where orbits cross Voronoi edges, and so by which edge they leave the facets after the first, until they come to a Voronoi edge that they follow to its end. Orbits on
     /// both sides of a Voronoi vertex part; one that passes it as near as the rounding may go the other way.
     ///
-    /// Errors: [`Status::NonFinite`] and [`Status::CoordinateRange`] with the row of the point; those of the job. Cost: as
+    /// Errors: [`Status::NonFinite`] and [`Status::CoordinateRange`] with the row of the point; [`Status::LimitExceeded`] past 2^32 - 1 points of orbits; those of the job. Cost: as
     /// [`Flow::at`], and O(size of the Voronoi facets that an orbit crosses).
     pub fn orbits(&self, points: &[[f64; 3]], job: &Job) -> Result<Orbits> {
-        job.run(&[(Stage::Query, 1.0)], |run| {
-            run.enter(Stage::Query)?;
-            self.orbits_in(points, run)
-        })
+        job.run(&[(Stage::Query, 1.0)], |run| self.orbits_in(points, run))
     }
 
-    fn orbits_in(&self, points: &[[f64; 3]], run: &Run<'_>) -> Result<Orbits> {
+    /// [`Flow::orbits`] as a stage of a larger build.
+    pub(crate) fn orbits_in(&self, points: &[[f64; 3]], run: &Run<'_>) -> Result<Orbits> {
+        run.enter(Stage::Query)?;
         let incidence = self.dual.triangulation().incidence_in(run)?;
         let source = self.source()?;
         let diagonal = diagonal(self.dual.triangulation().coords());
@@ -128,6 +130,10 @@ impl Flow {
         })?;
         let mut room = Room::new(run);
         let count = traces.iter().map(|(points, _)| points.len()).sum();
+        if u32::try_from(count).is_err() {
+            let message = "the orbits have more than 2^32 - 1 points";
+            return Err(Error::new(Status::LimitExceeded, message));
+        }
         let mut orbits = Orbits {
             offsets: room.vec(traces.len() + 1)?,
             points: room.vec(count)?,

@@ -34,7 +34,7 @@ impl Flow {
     /// The flow at each of some points (the paper's DRIVER).
     ///
     /// Which samples are nearest is decided exactly. Where several are, as on the faces of the Voronoi diagram, the driver is, of the centres of all simplices of these samples that hold their
-    /// own, that of the largest smallest sphere. Coordinates of less than [`COORDINATE_MIN`](crate::points::COORDINATE_MIN) count as 0.
+    /// own, that of the largest smallest sphere. Coordinates of less than [`COORDINATE_MIN`] count as 0.
     ///
     /// Errors: [`Status::NonFinite`] and [`Status::CoordinateRange`] with the row of the point; those of the job. Cost: O(n) once, and for each point O(way from the one before to
     /// it, in samples).

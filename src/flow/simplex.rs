@@ -7,8 +7,9 @@ use crate::job::Room;
 use crate::labels::Labels;
 use crate::medial::Side;
 
-/// A Delaunay simplex, or its dual, a face of the Voronoi diagram.
+/// A Delaunay simplex, or its dual, a face of the Voronoi diagram. In memory it is its dimension, then its number, which the C ABI shows as they lie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[repr(u32)]
 pub enum Simplex {
     /// A sample, by its vertex; a Voronoi cell.
     Sample(u32),

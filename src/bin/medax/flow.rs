@@ -110,7 +110,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
                 session.warn("the inner core leaves the solid: the sample is too sparse somewhere");
             }
             report.lines.push(("facets added", core.taken().to_string()));
-            ("core", core.complex().clone())
+            ("core", core.into_complex())
         }
     };
     report.more.insert("flow".into(), more.into());
