@@ -7,7 +7,7 @@
  * \file medax.h
  *
  * medax turns samples of a surface into the structures that tell a solid's shape: exact Delaunay
- * and regular triangulations, duals, poles, power crusts, medial axes.
+ * and regular triangulations, duals, poles, power crusts, medial axes, flow complexes.
  *
  *     points -> triangulation -> dual -> poles -> power crust -> complex
  *
@@ -303,6 +303,16 @@ typedef struct medax_file medax_file;
  * A complex without its flat tetrahedra, and what became of them.
  */
 typedef struct medax_flattened medax_flattened;
+
+/**
+ * The flow of the distance to a sample: its critical points, and where it goes.
+ */
+typedef struct medax_flow medax_flow;
+
+/**
+ * The unstable flow complex of a sample, and its flow DAG.
+ */
+typedef struct medax_flow_complex medax_flow_complex;
 
 /**
  * The cells of each vertex of a triangulation, and its edges.
@@ -3244,7 +3254,843 @@ MEDAX_API const medax_medial *medax_medial_clone(const medax_medial *medial);
  */
 MEDAX_API void medax_medial_free(const medax_medial *medial);
 
-/* ---- 19. Complex ------------------------------------------------------------------------------
+/* ---- 19. Flow ---------------------------------------------------------------------------------
+ *
+ * The flow of the distance to a sample. From each point it runs away from the driver, the point nearest to it of the hull of its
+ * nearest samples: in the direction in which the distance grows most. It stands still at the critical points, where a Delaunay
+ * simplex holds its own centre and no other sample lies in its sphere. Some belong to the surface, and lie near it between its samples;
+ * all others lie near the medial axis. A #medax_flow has the drivers of the faces of the Voronoi diagram and the critical points; it
+ * answers where points flow, and what flows from some faces.
+ * (Giesen, Ramos, Sadri 2010, Medial axis approximation and unstable flow complex.)
+ */
+
+/**
+ * Where a critical point belongs.
+ */
+enum medax_critical_class
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * To the surface: near it, between its samples.
+     */
+    MEDAX_CRITICAL_CLASS_SURFACE = 0,
+    /**
+     * To the inner medial axis.
+     */
+    MEDAX_CRITICAL_CLASS_INNER = 1,
+    /**
+     * To the outer medial axis.
+     */
+    MEDAX_CRITICAL_CLASS_OUTER = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum medax_critical_class medax_critical_class;
+#else
+typedef uint32_t medax_critical_class;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * What is calculated.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * The slope above which a critical point belongs to the medial axis and not to the surface (#medax_flow_critical_slopes), between
+     * 0 and 1; 0.5 by default.
+     */
+    double least_slope;
+} medax_flow_options;
+
+/**
+ * A Delaunay simplex, or its dual, a face of the Voronoi diagram.
+ */
+typedef struct {
+    /**
+     * 0 for a sample, whose dual is a Voronoi cell; 1 for an edge, a Voronoi facet; 2 for a triangle, a Voronoi edge; 3 for a cell, a
+     * Voronoi vertex.
+     */
+    uint32_t dimension;
+    /**
+     * Which one: a vertex of the points, a row of #medax_dual_facets, of #medax_flow_triangles, of #medax_triangulation_cells.
+     */
+    uint32_t number;
+} medax_simplex;
+
+/**
+ * The flow at a point.
+ */
+typedef struct {
+    /**
+     * The simplex at whose centre the driver lies. The point lies in its Voronoi face, or on the rim of that, and flows through it.
+     */
+    medax_simplex simplex;
+    /**
+     * The driver: the point nearest to the query of the hull of its nearest samples.
+     */
+    double driver[3];
+    /**
+     * From the driver to the point, by the distance of the point from the samples: the flow. Its length is the speed at which the
+     * distance grows, in [0, 1]; 0 at critical points.
+     */
+    double vector[3];
+    /**
+     * The distance of the point from the samples, in input units.
+     */
+    double distance;
+    /**
+     * The driving angle: between the directions from the point to the driver and to a nearest sample, in [0, pi/2] radians; pi/2 at
+     * critical points but samples, 0 where one sample alone is nearest.
+     */
+    double angle;
+} medax_flow_point;
+
+/**
+ * Sets flow options to their defaults.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_status medax_flow_options_init(medax_flow_options *options, size_t struct_size);
+
+/**
+ * Calculates drivers and critical points of a sample from its Voronoi diagram.
+ *
+ * \param dual The dual of the Delaunay triangulation, with its facets (#medax_dual_options), which the result keeps alive.
+ * \param labels Labels of the triangulation's cells, which tell the inner from the outer medial axis. The result keeps them alive.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_flow Receives the flow, which the caller frees with #medax_flow_free.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for the dual of a regular triangulation, a dual without facets, and an option out
+ *         of range; `MISMATCH` for labels of another triangulation; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(size of the dual). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_flow_build(const medax_dual *dual,
+                              const medax_labels *labels,
+                              const medax_flow_options *options,
+                              const medax_job *job,
+                              const medax_flow **out_flow);
+
+/**
+ * The Voronoi diagram.
+ *
+ * \param flow The flow.
+ * \param out_dual Receives the dual, which the caller frees with #medax_dual_free.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_status medax_flow_dual(const medax_flow *flow, const medax_dual **out_dual);
+
+/**
+ * The labels that tell the inner from the outer medial axis.
+ *
+ * \param flow The flow.
+ * \param out_labels Receives the labels, which the caller frees with #medax_labels_free.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_status medax_flow_labels(const medax_flow *flow, const medax_labels **out_labels);
+
+/**
+ * The number of critical points, samples included.
+ *
+ * \param flow The flow; NULL has none.
+ * \return The number of rows of every array of critical points.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API size_t medax_flow_critical_count(const medax_flow *flow);
+
+/**
+ * The simplices whose centres the critical points are: samples, edges, triangles, cells. The dimension of the simplex is the index of
+ * the critical point. Of index 0, 1, 2 and 3 there are so many that c0 - c1 + c2 - c3 = 1.
+ *
+ * \param flow The flow, or NULL.
+ * \return c x 2, each row the two numbers of a #medax_simplex; rows ascend. Borrowed from `flow`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_u32 medax_flow_critical_simplices(const medax_flow *flow);
+
+/**
+ * Where the critical points lie.
+ *
+ * \param flow The flow, or NULL.
+ * \return c x 3 coordinates. Borrowed from `flow`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_flow_critical_points(const medax_flow *flow);
+
+/**
+ * The distances of the critical points from the samples.
+ *
+ * \param flow The flow, or NULL.
+ * \return c x 1, in input units; 0 for samples. Borrowed from `flow`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_flow_critical_distances(const medax_flow *flow);
+
+/**
+ * The samples nearest to each critical point: the vertices of its simplex.
+ *
+ * \param flow The flow, or NULL.
+ * \return c x 4 vertices, one to four a row, then `MEDAX_NONE`. Borrowed from `flow`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_flow_critical_corners(const medax_flow *flow);
+
+/**
+ * What decides whether a critical point belongs to the surface: the mean, over its nearest samples, of the cosine of the angle between
+ * the direction from the sample and the vector to the sample's pole, in absolute value.
+ *
+ * \param flow The flow, or NULL.
+ * \return c x 1, in [0, 1]: nearly 0 at the surface, nearly 1 at the medial axis; 0 for samples. Borrowed from `flow`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_f64 medax_flow_critical_slopes(const medax_flow *flow);
+
+/**
+ * The distance of each critical point by that of the farthest Voronoi vertices of its nearest samples on its side of the surface, the
+ * mean over these. It decides nothing.
+ *
+ * \param flow The flow, or NULL.
+ * \return c x 1, in [0, 1]: nearly 0 at the surface; nearly 1 at the inner medial axis, as at the outer where the samples are not on
+ *         the hull. Borrowed from `flow`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_f64 medax_flow_critical_shares(const medax_flow *flow);
+
+/**
+ * Where each critical point belongs.
+ *
+ * \param flow The flow, or NULL.
+ * \return c x 1, each a #medax_critical_class. Borrowed from `flow`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_flow_critical_classes(const medax_flow *flow);
+
+/**
+ * The critical point of a simplex.
+ *
+ * \param flow The flow; NULL has none.
+ * \param simplex The simplex.
+ * \return Its row in the arrays of critical points; `MEDAX_NONE` if it has none, or is not there.
+ *
+ * O(log c) for c critical points. Since 0.1.
+ */
+MEDAX_API uint32_t medax_flow_critical_row(const medax_flow *flow, medax_simplex simplex);
+
+/**
+ * How clearly the slopes divide the critical points: the largest slope of those that belong to the surface, and the least of the others.
+ *
+ * \param flow The flow.
+ * \param out_gap Receives the two slopes, the second 1 if there are no others; the wider apart, the clearer.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * O(c) for c critical points. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_flow_gap(const medax_flow *flow,
+                            double *out_gap);
+
+/**
+ * The critical points as vertices, samples left out, with the attributes `index`, `class` (a #medax_critical_class), `radius` (their distance
+ * from the samples), `slope`, `share` and `samples` (the nearest ones, then `MEDAX_NONE`), for writing.
+ *
+ * \param flow The flow.
+ * \param job NULL for a default job.
+ * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(c) for c critical points. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_flow_critical_complex(const medax_flow *flow,
+                                         const medax_job *job,
+                                         const medax_complex **out_complex);
+
+/**
+ * The triangles of the triangulation, each once.
+ *
+ * \param flow The flow, or NULL.
+ * \return t x 2: the lesser of the triangle's cells, and the slot of the cell's vertex opposite; rows ascend. Borrowed from `flow`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_u32 medax_flow_triangles(const medax_flow *flow);
+
+/**
+ * The simplex at whose centre the driver of the points inside a Voronoi edge lies: the triangle, or if that is obtuse its longest edge.
+ * The driver inside a Voronoi facet is always the middle of its dual edge.
+ *
+ * \param flow The flow.
+ * \param triangle A row of #medax_flow_triangles.
+ * \return The simplex; dimension 0 and number `MEDAX_NONE` for a triangle that is not there, and without a flow.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_simplex medax_flow_driver_of_triangle(const medax_flow *flow,
+                                            uint32_t triangle);
+
+/**
+ * The simplex at whose centre the driver of a Voronoi vertex lies: the cell, one of its triangles, or one of its edges.
+ *
+ * \param flow The flow.
+ * \param cell The cell.
+ * \return The simplex; dimension 0 and number `MEDAX_NONE` for a cell that is not there, and without a flow.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_simplex medax_flow_driver_of_cell(const medax_flow *flow,
+                                        uint32_t cell);
+
+/**
+ * The flow at each of some points.
+ *
+ * Which samples are nearest is decided exactly. Where several are, as on the faces of the Voronoi diagram, the driver is, of the centres
+ * of all simplices of these samples that hold their own, that of the largest smallest sphere. Coordinates of less than 2^-160 count as 0.
+ *
+ * \param flow The flow.
+ * \param query_xyz `query_count` x 3 coordinates; NULL only if `query_count` is 0.
+ * \param query_count The number of points.
+ * \param job NULL for a default job.
+ * \param out_at Receives `query_count` answers; the caller's buffer, NULL only if `query_count` is 0.
+ * \return `MEDAX_STATUS_OK`; `NON_FINITE`, or `COORDINATE_RANGE` beyond 2^200, with the row of a query;
+ *         `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(n) once a call, and for each point O(way from the one before to it, in samples). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_flow_at(const medax_flow *flow,
+                           const double *query_xyz,
+                           size_t query_count,
+                           const medax_job *job,
+                           medax_flow_point *out_at);
+
+/**
+ * The orbits of some points: each a polyline along the flow, from the point to the critical point where it ends, or to infinity.
+ *
+ * The complex has them as loose edges, one orbit's after the other's. Vertices carry `radius`, their distance from the samples; edges
+ * `orbit`, the query, and `end`, as in `out_ends`. The first vertex of each orbit is the query; that of a query that does not flow is
+ * its only one. The last one of an orbit that goes to infinity lies on its last ray, one diagonal of the samples' box from the one before.
+ * The facet that an orbit comes to first, and where it leaves that, are decided exactly; where orbits cross Voronoi edges is rounded.
+ *
+ * \param flow The flow.
+ * \param query_xyz `query_count` x 3 coordinates; NULL only if `query_count` is 0.
+ * \param query_count The number of points.
+ * \param job NULL for a default job.
+ * \param out_ends Receives for each query the row of the critical point where its orbit ends, `MEDAX_NONE` at infinity; the caller's
+ *        buffer of `query_count` entries, or NULL.
+ * \param out_orbits Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`; `NON_FINITE`, or `COORDINATE_RANGE` beyond 2^200, with the row of a query; `LIMIT_EXCEEDED` past
+ *         2^32 - 1 vertices; `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * As #medax_flow_at, and O(size of the Voronoi facets that an orbit crosses). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_flow_orbits(const medax_flow *flow,
+                               const double *query_xyz,
+                               size_t query_count,
+                               const medax_job *job,
+                               uint32_t *out_ends,
+                               const medax_complex **out_orbits);
+
+/**
+ * What flows from some Voronoi cells, facets, edges and vertices: these, and whatever can be reached from them.
+ *
+ * Of the simplex of a critical point that is its unstable manifold (section 5), hairs included; of a sample that of all facets of its Voronoi
+ * cell. What is unbounded is left out. Attributes are those of #medax_flow_core.
+ *
+ * \param flow The flow.
+ * \param simplices The simplices whose duals flow; NULL only if `simplex_count` is 0.
+ * \param simplex_count The number of them.
+ * \param job NULL for a default job.
+ * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` with the row of a simplex that is not there; `NULL_ARGUMENT`, `LIMIT_EXCEEDED`,
+ *         `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(size of the dual), and O(size) of what is reached. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_flow_closure(const medax_flow *flow,
+                                const medax_simplex *simplices,
+                                size_t simplex_count,
+                                const medax_job *job,
+                                const medax_complex **out_complex);
+
+/**
+ * Checks drivers and critical points by other means than those that made them.
+ *
+ * \param flow The flow.
+ * \param job NULL for a default job.
+ * \param out_report Filled, its `struct_size` being set.
+ * \return `MEDAX_STATUS_OK` whatever was found; `NULL_ARGUMENT`, `INVALID_ARGUMENT` for a report
+ *         of no version, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(size of the dual). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_flow_validate(const medax_flow *flow,
+                                 const medax_job *job,
+                                 medax_validation *out_report);
+
+/**
+ * One more reference to a flow.
+ *
+ * \param flow The flow, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_flow *medax_flow_clone(const medax_flow *flow);
+
+/**
+ * Gives one reference to a flow back; the last one frees it.
+ *
+ * \param flow The flow; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_flow_free(const medax_flow *flow);
+
+/* ---- 20. Core ---------------------------------------------------------------------------------
+ *
+ * What flows from the critical points of the medial axis on one side of the surface: an axis, of faces and loose edges, with the homotopy type
+ * of the solid where the sample is dense enough. Repaired, the inner core has that of the labelled solid, however sparse the sample is. A core can be
+ * extended by Voronoi facets, such as those that a filter of a #medax_medial lets pass, which alone need not have it.
+ * (Giesen, Ramos, Sadri 2010, Medial axis approximation and unstable flow complex.)
+ */
+
+/**
+ * Which core.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * A #medax_side: of the critical points of which axis; `MEDAX_SIDE_INNER` by default.
+     */
+    uint32_t side;
+    /**
+     * 1, the default, to add as much of the flow of other critical points to the inner core as it takes for it to have the homotopy type
+     * of the labelled solid, however sparse the sample is; 0 not to. Other cores are not repaired.
+     */
+    uint32_t repair;
+} medax_core_options;
+
+/**
+ * What became of the facets by which a core was to be extended, each counted once. The caller sets `struct_size`, the library the rest.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * The number of those that extend it.
+     */
+    uint64_t taken;
+    /**
+     * The number of those that cross the surface, and so are left out: the dual edge is one of its edges.
+     */
+    uint64_t of_surface;
+    /**
+     * The number of those on the other side of the surface, which are left out.
+     */
+    uint64_t elsewhere;
+    /**
+     * The number of those whose flow comes to a critical point of the surface, or of the other side, which are left out.
+     */
+    uint64_t leaving;
+    /**
+     * The number of faces and loose edges of the core itself that are left out, since they are unbounded.
+     */
+    uint64_t unbounded;
+} medax_core_report;
+
+/**
+ * Sets core options to their defaults.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_status medax_core_options_init(medax_core_options *options, size_t struct_size);
+
+/**
+ * The core of one side: what flows from the critical points of its medial axis, which has the homotopy type of the solid if the sample is
+ * dense enough (theorem 3.16); extended by what flows from some Voronoi facets, but for those that cannot extend it (theorem 3.17).
+ *
+ * Vertices carry `radius` (their distance from the samples), `cell` (of which they are the Voronoi vertex, or `MEDAX_NONE`) and `critical`
+ * (the row of the critical point that they are, or `MEDAX_NONE`). Faces carry `facet` (of which they are a part), `samples` (the two ends of
+ * its dual edge) and `lambda` (half the length of that); edges, those of no face, `samples` (the corners of the triangle of whose Voronoi edge they
+ * are a part; or the two samples of the facet through which they follow an orbit, then `MEDAX_NONE`).
+ *
+ * \param flow The flow.
+ * \param options NULL for the defaults.
+ * \param facets `facet_count` rows of #medax_dual_facets, as #medax_medial_selected has them; NULL only if `facet_count` is 0.
+ * \param facet_count The number of facets by which the core is to be extended.
+ * \param job NULL for a default job.
+ * \param out_report Filled, its `struct_size` being set; or NULL.
+ * \param out_core Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` with a facet that is not there, for an option out of range, and for a report of no
+ *         version; `NULL_ARGUMENT`, `LIMIT_EXCEEDED`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(size of the dual), and O(size) of the part of the flow complex that is reached. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_flow_core(const medax_flow *flow,
+                             const medax_core_options *options,
+                             const uint32_t *facets,
+                             size_t facet_count,
+                             const medax_job *job,
+                             medax_core_report *out_report,
+                             const medax_complex **out_core);
+
+/* ---- 21. Flow complex -------------------------------------------------------------------------
+ *
+ * The unstable flow complex of a sample: the Voronoi diagram, cut where the flow of one part runs into a part of another, so that every
+ * element flows into whole elements. A vertex flows into one edge; the part of a Voronoi edge that the flow crosses into one face; every
+ * other edge to its ends, and every face to its rim. These steps, and those from an element to its sides, are the flow DAG: what can be
+ * reached by them from some elements is their flow closure.
+ *
+ * Its cells are those of the Voronoi diagram, one for each sample. Vertices are first the Voronoi vertices, one for each cell of the
+ * triangulation, then points on Voronoi edges; edges first the parts of Voronoi edges, then cuts through Voronoi facets along orbits of
+ * Voronoi vertices; faces the parts of Voronoi facets. Where samples are cospherical, vertices lie in one place, and edges and faces may have
+ * no extent: they are told apart by the triangulation. The paper's complex is coarser: here two faces may be in the unstable manifolds of the
+ * same critical points.
+ *
+ * On scans it has 40 to 120 faces for each sample, and takes 4 to 13 kB; for a core or a closure alone a #medax_flow is enough.
+ * (Giesen, Ramos, Sadri 2010, Medial axis approximation and unstable flow complex.)
+ */
+
+/**
+ * An element of a flow complex.
+ */
+typedef struct {
+    /**
+     * A #medax_element: `MEDAX_ELEMENT_VERTEX`, `MEDAX_ELEMENT_EDGE` or `MEDAX_ELEMENT_FACE`.
+     */
+    uint32_t kind;
+    /**
+     * Which one of its kind.
+     */
+    uint32_t number;
+} medax_flow_element;
+
+/**
+ * Makes all of the flow complex.
+ *
+ * \param flow The flow, which the result keeps alive.
+ * \param job NULL for a default job.
+ * \param out_flow_complex Receives the flow complex, which the caller frees with #medax_flow_complex_free.
+ * \return `MEDAX_STATUS_OK`; `LIMIT_EXCEEDED` past 2^32 - 1 sides of faces; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(size of the complex), besides sorting the points on each Voronoi edge. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_flow_complex_build(const medax_flow *flow,
+                                      const medax_job *job,
+                                      const medax_flow_complex **out_flow_complex);
+
+/**
+ * The flow.
+ *
+ * \param flow_complex The flow complex.
+ * \param out_flow Receives the flow, which the caller frees with #medax_flow_free.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_flow_complex_flow(const medax_flow_complex *flow_complex,
+                                     const medax_flow **out_flow);
+
+/**
+ * The number of vertices.
+ *
+ * \param flow_complex The flow complex; NULL has none.
+ * \return m + k for m cells of the triangulation and k #medax_flow_complex_points.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API size_t medax_flow_complex_vertex_count(const medax_flow_complex *flow_complex);
+
+/**
+ * The points on Voronoi edges: the vertices that come after the Voronoi vertices, which lie where #medax_dual_centers has them.
+ *
+ * \param flow_complex The flow complex, or NULL.
+ * \return k x 3 coordinates: where orbits hit Voronoi edges, then the critical points of index 2. Borrowed from `flow_complex`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_f64 medax_flow_complex_points(const medax_flow_complex *flow_complex);
+
+/**
+ * The triangle on whose Voronoi edge each of the points lies.
+ *
+ * \param flow_complex The flow complex, or NULL.
+ * \return k x 1 rows of #medax_flow_triangles. Borrowed from `flow_complex`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_u32 medax_flow_complex_triangle_of_point(const medax_flow_complex *flow_complex);
+
+/**
+ * The two ends of each edge.
+ *
+ * \param flow_complex The flow complex, or NULL.
+ * \return e x 2 vertices, `MEDAX_NONE` at infinity. Orbits run from the first to the second end of a cut. Borrowed from `flow_complex`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_u32 medax_flow_complex_edges(const medax_flow_complex *flow_complex);
+
+/**
+ * The triangle whose Voronoi edge each edge is a part of.
+ *
+ * \param flow_complex The flow complex, or NULL.
+ * \return One row of #medax_flow_triangles for each of the first edges; those beyond are cuts. Borrowed from `flow_complex`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_u32 medax_flow_complex_triangle_of_edge(const medax_flow_complex *flow_complex);
+
+/**
+ * The vertices of each face.
+ *
+ * \param flow_complex The flow complex, or NULL.
+ * \return f rows, counterclockwise seen from the second end of the facet's dual edge; `MEDAX_NONE` at infinity. Borrowed from `flow_complex`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_rows medax_flow_complex_faces(const medax_flow_complex *flow_complex);
+
+/**
+ * The edges of each face.
+ *
+ * \param flow_complex The flow complex, or NULL.
+ * \return f rows, as long as those of #medax_flow_complex_faces: at the place of a vertex the edge that begins there. Borrowed from
+ *         `flow_complex`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_rows medax_flow_complex_face_edges(const medax_flow_complex *flow_complex);
+
+/**
+ * Where the faces of each Voronoi facet begin.
+ *
+ * \param flow_complex The flow complex, or NULL.
+ * \return One entry more than #medax_dual_facets has rows: the faces of facet i are those from entry i to before entry i + 1. Borrowed from
+ *         `flow_complex`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_u32 medax_flow_complex_faces_of_facet(const medax_flow_complex *flow_complex);
+
+/**
+ * The edge into which each vertex flows.
+ *
+ * \param flow_complex The flow complex, or NULL.
+ * \return One edge for each vertex; `MEDAX_NONE` for critical points. Borrowed from `flow_complex`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_flow_complex_edge_of_vertex(const medax_flow_complex *flow_complex);
+
+/**
+ * The face into which each edge flows.
+ *
+ * \param flow_complex The flow complex, or NULL.
+ * \return One face for each edge; `MEDAX_NONE` for those that flow along themselves. Borrowed from `flow_complex`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_u32 medax_flow_complex_face_of_edge(const medax_flow_complex *flow_complex);
+
+/**
+ * The elements that a Voronoi facet, edge or vertex is made of: its faces, its parts, or the vertex; but no cuts through a facet.
+ *
+ * \param flow_complex The flow complex.
+ * \param simplex The simplex whose dual is asked for.
+ * \param capacity The number of elements for which `out_elements` has room.
+ * \param out_elements Receives the first `capacity` of the elements, which ascend; the caller's buffer, NULL only if `capacity` is 0.
+ * \param out_count Receives the number of elements, which may be more than `capacity`.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for a simplex that is not there; `NULL_ARGUMENT`.
+ *
+ * O(size of the answer). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_flow_complex_elements_of(const medax_flow_complex *flow_complex,
+                                            medax_simplex simplex,
+                                            size_t capacity,
+                                            medax_flow_element *out_elements,
+                                            size_t *out_count);
+
+/**
+ * The flow closure of some elements: those that can be reached from them by the flow DAG, these included.
+ *
+ * \param flow_complex The flow complex.
+ * \param elements The elements to begin with; NULL only if `element_count` is 0.
+ * \param element_count The number of them.
+ * \param job NULL for a default job.
+ * \param capacity The number of elements for which `out_elements` has room.
+ * \param out_elements Receives the first `capacity` of the elements of the closure: vertices, then edges, then faces, ascending; the caller's
+ *        buffer, NULL only if `capacity` is 0.
+ * \param out_count Receives the number of elements of the closure, which may be more than `capacity`.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` with the row of an element that is not there; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`,
+ *         `OUT_OF_MEMORY`.
+ *
+ * O(size of the complex). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_flow_complex_closure(const medax_flow_complex *flow_complex,
+                                        const medax_flow_element *elements,
+                                        size_t element_count,
+                                        const medax_job *job,
+                                        size_t capacity,
+                                        medax_flow_element *out_elements,
+                                        size_t *out_count);
+
+/**
+ * The elements from which some elements can be reached by the flow DAG, these included: all that have a part of them in their closures.
+ *
+ * \param flow_complex The flow complex.
+ * \param elements The elements to end with; NULL only if `element_count` is 0.
+ * \param element_count The number of them.
+ * \param job NULL for a default job.
+ * \param capacity The number of elements for which `out_elements` has room.
+ * \param out_elements Receives the first `capacity` of the elements upstream: vertices, then edges, then faces, ascending; the caller's
+ *        buffer, NULL only if `capacity` is 0.
+ * \param out_count Receives the number of elements upstream, which may be more than `capacity`.
+ * \return As #medax_flow_complex_closure.
+ *
+ * O(size of the complex). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_flow_complex_upstream(const medax_flow_complex *flow_complex,
+                                         const medax_flow_element *elements,
+                                         size_t element_count,
+                                         const medax_job *job,
+                                         size_t capacity,
+                                         medax_flow_element *out_elements,
+                                         size_t *out_count);
+
+/**
+ * The critical points in whose unstable manifolds each of some elements lies: those whose flow closure has it.
+ *
+ * \param flow_complex The flow complex.
+ * \param elements The elements; NULL only if `element_count` is 0.
+ * \param element_count The number of them.
+ * \param job NULL for a default job.
+ * \param out_offsets Receives `element_count` + 1 positions: the set of element i is the rows from entry i to before entry i + 1, ascending.
+ * \param capacity The number of rows for which `out_rows` has room.
+ * \param out_rows Receives the first `capacity` rows of all sets, one set's after the other's, as #medax_flow_critical_points has them; the
+ *        caller's buffer, NULL only if `capacity` is 0.
+ * \param out_count Receives the number of rows of all sets, which may be more than `capacity`.
+ * \return As #medax_flow_complex_closure; `LIMIT_EXCEEDED` past 2^32 - 1 rows.
+ *
+ * O(size of the complex), and for each element O(size) of what is upstream of it. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_flow_complex_critical_sets(const medax_flow_complex *flow_complex,
+                                              const medax_flow_element *elements,
+                                              size_t element_count,
+                                              const medax_job *job,
+                                              uint32_t *out_offsets,
+                                              size_t capacity,
+                                              uint32_t *out_rows,
+                                              size_t *out_count);
+
+/**
+ * All of the flow complex that is bounded, with the attributes of #medax_flow_core.
+ *
+ * \param flow_complex The flow complex.
+ * \param job NULL for a default job.
+ * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`; `NULL_ARGUMENT`, `LIMIT_EXCEEDED`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(size of the complex). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_flow_complex_complex(const medax_flow_complex *flow_complex,
+                                        const medax_job *job,
+                                        const medax_complex **out_complex);
+
+/**
+ * Checks a flow complex by other means than those that made it.
+ *
+ * \param flow_complex The flow complex.
+ * \param job NULL for a default job.
+ * \param out_report Filled, its `struct_size` being set.
+ * \return `MEDAX_STATUS_OK` whatever was found; `NULL_ARGUMENT`, `INVALID_ARGUMENT` for a report
+ *         of no version, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(size of the complex). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_flow_complex_validate(const medax_flow_complex *flow_complex,
+                                         const medax_job *job,
+                                         medax_validation *out_report);
+
+/**
+ * One more reference to a flow complex.
+ *
+ * \param flow_complex The flow complex, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+const medax_flow_complex *medax_flow_complex_clone(const medax_flow_complex *flow_complex);
+
+/**
+ * Gives one reference to a flow complex back; the last one frees it.
+ *
+ * \param flow_complex The flow complex; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_flow_complex_free(const medax_flow_complex *flow_complex);
+
+/* ---- 22. Complex ------------------------------------------------------------------------------
  *
  * The one output type: vertices; faces, which are polygons; loose edges, which are no side of a
  * face; volume cells; named attributes on each of them; and the faces cut into triangles.
@@ -3521,7 +4367,7 @@ MEDAX_API const medax_complex *medax_complex_clone(const medax_complex *complex)
  */
 MEDAX_API void medax_complex_free(const medax_complex *complex);
 
-/* ---- 20. Topology -----------------------------------------------------------------------------
+/* ---- 23. Topology -----------------------------------------------------------------------------
  *
  * What a complex is as a set of elements that share others, told from its indices alone: vertices
  * that merely lie at the same place are different vertices. And what its coordinates make of that: measures, triangles that intersect.
@@ -3728,7 +4574,7 @@ medax_status medax_complex_validate(const medax_complex *complex,
                                     const medax_job *job,
                                     medax_validation *out_report);
 
-/* ---- 21. Winding numbers ----------------------------------------------------------------------
+/* ---- 24. Winding numbers ----------------------------------------------------------------------
  *
  * How often the faces of a complex wind round a point: 1 inside a closed surface whose faces point out, 0 outside of it.
  * (Jacobson, Kavan, Sorkine-Hornung 2013, Robust inside-outside segmentation using generalized winding numbers.)
@@ -3758,7 +4604,7 @@ medax_status medax_complex_winding_numbers(const medax_complex *complex,
                                            const medax_job *job,
                                            double *out_numbers);
 
-/* ---- 22. Normals ------------------------------------------------------------------------------
+/* ---- 25. Normals ------------------------------------------------------------------------------
  *
  * The normals of a surface at its vertices.
  */
@@ -3788,7 +4634,7 @@ medax_status medax_complex_vertex_normals(const medax_complex *complex,
                                           size_t vertex_count,
                                           double *out_normals);
 
-/* ---- 23. Comparison ---------------------------------------------------------------------------
+/* ---- 26. Comparison ---------------------------------------------------------------------------
  *
  * How far two complexes are apart as sets of points: their faces, loose edges and cells, which are
  * solid; or their vertices, where they have none of these.
@@ -3885,7 +4731,7 @@ medax_status medax_complex_compare(const medax_complex *a,
                                    const medax_job *job,
                                    medax_comparison *out_report);
 
-/* ---- 24. Decimation ---------------------------------------------------------------------------
+/* ---- 27. Decimation ---------------------------------------------------------------------------
  *
  * Fewer triangles for the same surface.
  */
@@ -3944,7 +4790,7 @@ medax_status medax_complex_decimate(const medax_complex *complex,
                                     const medax_job *job,
                                     const medax_complex **out_decimated);
 
-/* ---- 25. Flattening ---------------------------------------------------------------------------
+/* ---- 28. Flattening ---------------------------------------------------------------------------
  *
  * Power shapes have tetrahedra, most of them flat: these collapse to their triangles, and the homotopy type stays.
  */
@@ -4053,7 +4899,7 @@ MEDAX_API const medax_flattened *medax_flattened_clone(const medax_flattened *fl
  */
 MEDAX_API void medax_flattened_free(const medax_flattened *flattened);
 
-/* ---- 26. File contents ------------------------------------------------------------------------
+/* ---- 29. File contents ------------------------------------------------------------------------
  *
  * What a file holds, before points or a complex are made of it. Reading trusts nothing, and an error
  * names the line of a text or the byte of a binary file. The ending of a path names the format:
@@ -4229,7 +5075,7 @@ MEDAX_API const medax_file *medax_file_clone(const medax_file *file);
  */
 MEDAX_API void medax_file_free(const medax_file *file);
 
-/* ---- 27. Reading and writing ------------------------------------------------------------------
+/* ---- 30. Reading and writing ------------------------------------------------------------------
  *
  * Written are PLY, OFF, OBJ, STL, XYZ, PTS, TXT, CSV, MA and VTU, by the ending of the path, to a
  * file beside the given name, which is moved into place when it is complete: after an error, a file
@@ -4380,7 +5226,7 @@ MEDAX_API const medax_warnings *medax_warnings_clone(const medax_warnings *warni
  */
 MEDAX_API void medax_warnings_free(const medax_warnings *warnings);
 
-/* ---- 28. Samples ------------------------------------------------------------------------------
+/* ---- 31. Samples ------------------------------------------------------------------------------
  *
  * Points of the surfaces of built-in shapes and of meshes, evenly spread: no two are nearer than
  * the spacing. The same options give the same points on every machine.

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// The chapters of the header in order: the files of `src/capi`.
-const CHAPTERS: [&str; 28] = [
+const CHAPTERS: [&str; 31] = [
     "status",
     "handle",
     "view",
@@ -26,6 +26,9 @@ const CHAPTERS: [&str; 28] = [
     "cocone",
     "labels",
     "medial",
+    "flow",
+    "core",
+    "flow_complex",
     "complex",
     "topology",
     "winding",

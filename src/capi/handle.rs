@@ -87,6 +87,16 @@ pub struct medax_medial {
     pub(super) medial: crate::medial::Medial,
 }
 
+/// The flow of the distance to a sample: its critical points, and where it goes.
+pub struct medax_flow {
+    pub(super) flow: Arc<crate::flow::Flow>,
+}
+
+/// The unstable flow complex of a sample, and its flow DAG.
+pub struct medax_flow_complex {
+    pub(super) flow_complex: crate::flow::FlowComplex,
+}
+
 /// Vertices, polygons, loose edges, volume cells and named attributes: every result that can be
 /// drawn or written.
 pub struct medax_complex {
@@ -126,6 +136,8 @@ impl Handle for medax_simplified {}
 impl Handle for medax_cocone {}
 impl Handle for medax_labels {}
 impl Handle for medax_medial {}
+impl Handle for medax_flow {}
+impl Handle for medax_flow_complex {}
 impl Handle for medax_complex {}
 impl Handle for medax_intersections {}
 impl Handle for medax_flattened {}

@@ -161,10 +161,6 @@ impl medax_medial_filter {
                 .into_iter()
                 .find(|&known| medax_medial_rule::from(known) as u32 == self.rule)
                 .ok_or_else(|| no_such(self.rule, "medax_medial_rule"))?;
-        let side = [Side::Outer, Side::Inner, Side::Both]
-            .into_iter()
-            .find(|&known| medax_side::from(known) as u32 == self.side)
-            .ok_or_else(|| no_such(self.side, "medax_side"))?;
         let has_clip = flag(self.has_clip, "has_clip")?;
         Ok(MedialFilter {
             rule,
@@ -173,10 +169,18 @@ impl medax_medial_filter {
             object_angle: self.object_angle,
             lambda: self.lambda,
             scale: self.scale,
-            side,
+            side: side(self.side)?,
             clip: has_clip.then_some([self.clip_min, self.clip_max]),
         })
     }
+}
+
+/// The side that a #medax_side stands for.
+pub(super) fn side(number: u32) -> Result<Side> {
+    [Side::Outer, Side::Inner, Side::Both]
+        .into_iter()
+        .find(|&known| medax_side::from(known) as u32 == number)
+        .ok_or_else(|| no_such(number, "medax_side"))
 }
 
 fn no_such(number: u32, name: &str) -> Error {

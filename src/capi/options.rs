@@ -173,6 +173,18 @@ impl<T: SizedStruct> Report<T> {
         Ok(Report { target: report, size })
     }
 
+    /// A report that the caller may not want, and then gives NULL for.
+    ///
+    /// # Safety
+    /// As for [`Report::new`].
+    pub(super) unsafe fn maybe(report: *mut T, name: &str) -> Result<Option<Self>> {
+        if report.is_null() {
+            return Ok(None);
+        }
+        // SAFETY: the caller's promise.
+        unsafe { Report::new(report, name) }.map(Some)
+    }
+
     /// Fills what the caller's version has; what this version does not know becomes 0.
     pub(super) fn fill(self, value: &T) {
         // SAFETY: promised to `new`.

@@ -98,11 +98,30 @@ pub(super) unsafe trait Number: Copy {}
 unsafe impl Number for crate::complex::CellType {}
 // SAFETY: fieldless and repr(u32).
 unsafe impl Number for crate::crust::Label {}
+// SAFETY: fieldless and repr(u32).
+unsafe impl Number for crate::flow::CriticalClass {}
 
 /// The numbers of the values.
 pub(super) fn numbers<T: Number>(values: &[T]) -> &[u32] {
     // SAFETY: `Number` makes a value a u32 in size, alignment and contents.
     unsafe { slice::from_raw_parts(values.as_ptr().cast(), values.len()) }
+}
+
+/// An enum that C sees as two numbers: which variant it is, and the variant's own.
+///
+/// # Safety
+/// The type is a `repr(u32)` enum of which every variant has one u32.
+pub(super) unsafe trait Numbered: Copy {}
+
+// SAFETY: repr(u32), and every variant has one u32.
+unsafe impl Numbered for crate::flow::Simplex {}
+
+/// The two numbers of each value, one value's after the other's.
+pub(super) fn pairs<T: Numbered>(values: &[T]) -> &[u32] {
+    const { assert!(size_of::<T>() == 8 && align_of::<T>() == align_of::<u32>()) };
+    // SAFETY: a `repr(u32)` enum lies in memory as the union of structs that have the number of a variant in front,
+    // then its field (RFC 2195): as `Numbered` has it two u32, with nothing between them.
+    unsafe { slice::from_raw_parts(values.as_ptr().cast(), 2 * values.len()) }
 }
 
 impl medax_view_rows {
@@ -187,6 +206,14 @@ impl<T: Copy> Buffer<T> {
             // SAFETY: room for as many was promised to `new`, and none of it is behind `values`,
             // which the library owns.
             unsafe { ptr::copy_nonoverlapping(values.as_ptr(), self.target, count) };
+        }
+    }
+
+    /// [`Buffer::fill`] with what some values become for C.
+    pub(super) fn fill_from<S: Copy + Into<T>>(self, values: &[S]) {
+        for (i, &value) in values.iter().take(self.count).enumerate() {
+            // SAFETY: `i` is below the count, and room for as many was promised to `new`.
+            unsafe { self.target.add(i).write(value.into()) };
         }
     }
 }
@@ -283,4 +310,25 @@ pub(super) unsafe fn text<'a>(text: *const c_char, name: &str) -> Result<&'a str
     bytes.to_str().map_err(|_| {
         Error::new(Status::InvalidArgument, format!("the argument '{name}' is not UTF-8"))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::flow::Simplex;
+
+    #[test]
+    fn a_simplex_is_its_dimension_and_its_number() {
+        let simplices = [
+            Simplex::Cell(7),
+            Simplex::Sample(u32::MAX),
+            Simplex::Triangle(0x0102_0304),
+            Simplex::Edge(0),
+        ];
+        assert_eq!(pairs(&simplices), [3, 7, 0, u32::MAX, 2, 0x0102_0304, 1, 0]);
+        for (simplex, pair) in simplices.iter().zip(pairs(&simplices).chunks(2)) {
+            assert_eq!(pair, [simplex.dimension() as u32, simplex.number()]);
+        }
+        assert!(pairs::<Simplex>(&[]).is_empty());
+    }
 }

@@ -145,6 +145,38 @@ FIELD(medax_medial_filter, rule, 100);
 FIELD(medax_medial_filter, side, 104);
 FIELD(medax_medial_filter, reserved, 108);
 
+SIZE(medax_flow_options, 16);
+FIELD(medax_flow_options, struct_size, 0);
+FIELD(medax_flow_options, least_slope, 8);
+
+SIZE(medax_simplex, 8);
+FIELD(medax_simplex, dimension, 0);
+FIELD(medax_simplex, number, 4);
+
+SIZE(medax_flow_point, 72);
+FIELD(medax_flow_point, simplex, 0);
+FIELD(medax_flow_point, driver, 8);
+FIELD(medax_flow_point, vector, 32);
+FIELD(medax_flow_point, distance, 56);
+FIELD(medax_flow_point, angle, 64);
+
+SIZE(medax_core_options, 16);
+FIELD(medax_core_options, struct_size, 0);
+FIELD(medax_core_options, side, 8);
+FIELD(medax_core_options, repair, 12);
+
+SIZE(medax_core_report, 48);
+FIELD(medax_core_report, struct_size, 0);
+FIELD(medax_core_report, taken, 8);
+FIELD(medax_core_report, of_surface, 16);
+FIELD(medax_core_report, elsewhere, 24);
+FIELD(medax_core_report, leaving, 32);
+FIELD(medax_core_report, unbounded, 40);
+
+SIZE(medax_flow_element, 8);
+FIELD(medax_flow_element, kind, 0);
+FIELD(medax_flow_element, number, 4);
+
 SIZE(medax_topology, 144);
 FIELD(medax_topology, struct_size, 0);
 FIELD(medax_topology, vertices, 8);
