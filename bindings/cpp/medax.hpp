@@ -24,4 +24,6 @@
 #include <medax/cocone.hpp>
 #include <medax/labels.hpp>
 #include <medax/medial.hpp>
+#include <medax/flow.hpp>
+#include <medax/flow_complex.hpp>
 #include <medax/sample.hpp>

@@ -304,6 +304,93 @@ void crusts() {
     CHECK(THROWN(medax::File::read(path)).status() == MEDAX_STATUS_IO);
 }
 
+void flow_complexes(const medax::Flow &flow, medax::FlowElement middle) {
+    const medax::Job job;
+    const medax::FlowComplex its = medax::FlowComplex::of(flow, job);
+    CHECK(std::strcmp(job.times().at(0).stage, "flow") == 0 && its.validate().is_valid());
+    CHECK(its.flow().triangles().data() == flow.triangles().data());
+    CHECK(its.points().rows() == its.triangle_of_point().rows() && !its.points().empty());
+    CHECK(its.vertex_count() == flow.labels().is_inner().rows() + its.points().rows());
+    CHECK(its.edge_of_vertex().rows() == its.vertex_count());
+    CHECK(its.face_of_edge().rows() == its.edges().rows() && its.edges().cols() == 2);
+    CHECK(its.triangle_of_edge().rows() < its.edges().rows());
+    CHECK(its.face_edges()[7].size() == its.faces()[7].size());
+    const std::uint32_t *begins = its.faces_of_facet().data();
+    std::uint32_t widest = 0;
+    for (std::uint32_t f = 0; f + 1 < its.faces_of_facet().rows(); ++f)
+        if (begins[f + 1] - begins[f] > begins[widest + 1] - begins[widest]) widest = f;
+    // More faces than the first buffer holds.
+    const std::vector<medax::FlowElement> faces = its.elements_of({1, widest});
+    CHECK(faces.size() > 8 && faces.size() == begins[widest + 1] - begins[widest]);
+    CHECK(faces.back().number + 1 == begins[widest + 1]);
+    CHECK(its.elements_of({3, 4}).size() == 1 && its.elements_of({3, 4})[0].number == 4);
+    CHECK(THROWN(its.elements_of({0, 0})).status() == MEDAX_STATUS_INVALID_ARGUMENT);
+    // A Voronoi vertex where the flow stands still.
+    CHECK(its.closure({middle}).size() == 1 && its.closure({}).empty());
+    const std::vector<medax::FlowElement> upstream = its.upstream({middle});
+    CHECK(upstream.size() > 1 && upstream.front().kind == MEDAX_ELEMENT_VERTEX);
+    CHECK(THROWN(its.upstream({middle, {3, 0}})).index() == 1);
+    const auto sets = its.critical_sets({middle, faces.front(), faces.back()});
+    CHECK(sets.size() == 3 && sets[0].size() > 16 && sets[1].size() >= 2);
+    CHECK(sets[0].back() == flow.critical_row({3, middle.number}));
+    CHECK(sets[1] == its.critical_sets({faces.front()})[0]);
+    // More critical points than the first buffer holds.
+    CHECK(sets[0] == its.critical_sets({middle})[0]);
+    const medax::Complex complex = its.complex();
+    CHECK(complex.faces().rows() < its.faces().rows() && !complex.faces().empty());
+}
+
+void flows(const medax::Dual &dual, const medax::Labels &labels,
+           const std::vector<std::uint32_t> &axis) {
+    const medax::Flow flow = medax::Flow::of(dual, labels);
+    CHECK(flow.validate().is_valid());
+    CHECK(flow.dual().centers().data() == dual.centers().data());
+    CHECK(flow.labels().is_inner().data() == labels.is_inner().data());
+    const std::size_t count = flow.critical_count(), samples = dual.triangulation().coords().rows();
+    CHECK(flow.critical_simplices().rows() == count && flow.critical_points().cols() == 3);
+    CHECK(flow.critical_distances().rows() == count && flow.critical_corners().cols() == 4);
+    CHECK(flow.critical_slopes().rows() == count && flow.critical_shares().rows() == count);
+    CHECK(flow.critical_complex().vertices().rows() == count - samples);
+    const std::array<double, 2> gap = flow.gap();
+    CHECK(gap[0] <= 0.5 && gap[1] > 0.5);
+    std::size_t row = count;
+    while (flow.critical_classes().data()[row - 1] != MEDAX_CRITICAL_CLASS_INNER) --row;
+    const auto last = flow.critical_simplices()[--row];
+    CHECK(last[0] == 3 && flow.critical_row({last[0], last[1]}) == row);
+    CHECK(flow.critical_row({3, medax::none}) == medax::none);
+    CHECK(flow.driver_of_cell(last[1]).dimension == 3);
+    CHECK(flow.driver_of_triangle(0).dimension != 0);
+    CHECK(flow.driver_of_triangle(static_cast<std::uint32_t>(flow.triangles().rows())).number
+          == medax::none);
+    const auto place = flow.critical_points()[row];
+    const medax::Point middle = {place[0], place[1], place[2]};
+    const std::vector<medax::Point> queries = {{1.02, 0, 0.01}, middle, {9, 9, 9}};
+    const std::vector<medax::FlowPoint> at = flow.at(queries);
+    CHECK(at.size() == 3 && at[0].distance > 0.3 && at[2].distance > 12 && flow.at({}).empty());
+    CHECK(THROWN(flow.at({{0, 0, 0}, {0, NAN, 0}})).index() == 1);
+    const medax::Orbits orbits = flow.orbits(queries);
+    CHECK(orbits.ends.size() == 3 && orbits.ends[2] == medax::none);
+    CHECK(flow.critical_classes().data()[orbits.ends[0]] == MEDAX_CRITICAL_CLASS_INNER);
+    CHECK(orbits.complex.edges().rows() >= 2 && flow.orbits({}).complex.vertices().empty());
+
+    const medax::Core core = flow.core();
+    CHECK(core.complex.topology().betti[0] == 1 && core.complex.topology().betti[1] == 1);
+    CHECK(core.complex.topology().betti[2] == 0 && core.report.taken == 0);
+    medax::CoreOptions options;
+    CHECK(options.side == MEDAX_SIDE_INNER && options.repair == 1);
+    const medax::Core extended = flow.core(options, axis);
+    CHECK(extended.report.taken > 0 && extended.complex.topology().betti[1] == 1);
+    CHECK(extended.report.taken + extended.report.leaving == axis.size());
+    options.side = 3;
+    CHECK(THROWN(flow.core(options)).status() == MEDAX_STATUS_INVALID_ARGUMENT);
+    const medax::Complex closure = flow.closure({{last[0], last[1]}});
+    CHECK(closure.vertices().rows() == 1 && flow.closure({}).vertices().empty());
+    medax::FlowOptions wrong;
+    wrong.least_slope = 1;
+    CHECK(THROWN(medax::Flow::of(dual, labels, wrong)).status() == MEDAX_STATUS_INVALID_ARGUMENT);
+    flow_complexes(flow, {MEDAX_ELEMENT_VERTEX, last[1]});
+}
+
 void axes(const medax::Points &points, const medax::Dual &dual, const medax::Complex &surface) {
     const medax::Triangulation t = dual.triangulation();
     const medax::Labels labels = medax::Labels::of(dual, medax::PowerCrust::of(points));
@@ -357,6 +444,7 @@ void axes(const medax::Points &points, const medax::Dual &dual, const medax::Com
     medax::MedialFilter both;
     both.side = MEDAX_SIDE_BOTH;
     CHECK(bare.selected(both).size() > selected.size());
+    flows(dual, labels, selected);
     CHECK(surface.vertex_normals().size() == surface.vertices().rows());
 }
 
