@@ -1,28 +1,29 @@
-//! The flow of the distance to the samples: critical points by their definition, cores against the shapes that were sampled.
+//! The flow of the distance to the samples: critical points and drivers, cores against the shapes that were sampled, orbits, errors.
 
+use crate::flow_reference::held_center;
 use crate::medial::{dual_of, labels_of, samples};
 use crate::sets::{self, Random};
 use medax::dual::DualOptions;
 use medax::flow::{CoreOptions, Flow, FlowComplex, FlowElement, FlowOptions, Simplex};
 use medax::sample::Shape;
 use medax::{Dual, Job, JobOptions, Labels, Status};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 type Point = [f64; 3];
 
-fn flow(rows: &[Point], labels: impl Fn(&Dual) -> Arc<Labels>, job: &Job) -> Flow {
+pub fn flow(rows: &[Point], labels: impl Fn(&Dual) -> Arc<Labels>, job: &Job) -> Flow {
     let dual = dual_of(rows, &Job::default());
     Flow::new(&dual, &labels(&dual), FlowOptions::default(), job).unwrap()
 }
 
-fn all_inner(dual: &Dual) -> Arc<Labels> {
+pub fn all_inner(dual: &Dual) -> Arc<Labels> {
     let cells = dual.triangulation().cells().len();
     Arc::new(Labels::new(dual.triangulation(), vec![true; cells]).unwrap())
 }
 
 /// Minus one to the power of the index of a critical point.
-fn sign(simplex: Simplex) -> i64 {
+pub fn sign(simplex: Simplex) -> i64 {
     [1, -1, 1, -1][simplex.dimension()]
 }
 
@@ -42,103 +43,12 @@ fn critical_points_of_every_index_cancel_down_to_one() {
     assert!(tried > 10, "{tried}");
 }
 
-fn sub(a: Point, b: Point) -> Point {
+pub fn sub(a: Point, b: Point) -> Point {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-fn dot(a: Point, b: Point) -> f64 {
+pub fn dot(a: Point, b: Point) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// The barycentric coordinates of the centre of the smallest sphere through all the points, by Gauss's algorithm on 2 (p_j - p_0) . sum of b_i (p_i - p_0) = |p_j - p_0|^2.
-fn center(points: &[Point]) -> Vec<f64> {
-    let edges: Vec<Point> = points[1..].iter().map(|&p| sub(p, points[0])).collect();
-    let n = edges.len();
-    let mut rows: Vec<Vec<f64>> = (0..n)
-        .map(|j| {
-            let row = (0..n).map(|i| 2.0 * dot(edges[j], edges[i]));
-            row.chain([dot(edges[j], edges[j])]).collect()
-        })
-        .collect();
-    for i in 0..n {
-        for j in 0..n {
-            if i != j {
-                let (factor, pivot) = (rows[j][i] / rows[i][i], rows[i].clone());
-                rows[j].iter_mut().zip(pivot).for_each(|(x, y)| *x -= factor * y);
-            }
-        }
-    }
-    let others: Vec<f64> = (0..n).map(|i| rows[i][n] / rows[i][i]).collect();
-    [1.0 - others.iter().sum::<f64>()].into_iter().chain(others).collect()
-}
-
-/// Every set of two, three or four points with the centre of its smallest sphere inside its hull, and no other point in
-/// that sphere.
-#[test]
-fn critical_points_of_random_sets_are_those_of_the_definition() {
-    for seed in 0..6 {
-        let mut random = Random(seed);
-        let rows: Vec<Point> = (0..24)
-            .map(|_| match seed % 2 {
-                0 => random.cube(),
-                _ => {
-                    let radius = 0.9 + 0.2 * random.unit();
-                    random.sphere().map(|x| radius * x)
-                }
-            })
-            .collect();
-        let flow = flow(&rows, all_inner, &Job::default());
-        let coords = flow.dual().triangulation().coords();
-        let n = coords.len();
-        let mut expected: BTreeSet<Vec<u32>> = (0..n as u32).map(|v| vec![v]).collect();
-        let mut consider = |simplex: &[usize]| {
-            let corners: Vec<Point> = simplex.iter().map(|&v| coords[v]).collect();
-            let weights = center(&corners);
-            if weights.iter().any(|&w| w <= 0.0) {
-                return;
-            }
-            let at: Point =
-                std::array::from_fn(|k| corners.iter().zip(&weights).map(|(p, w)| w * p[k]).sum());
-            let square = |p: Point| dot(sub(p, at), sub(p, at));
-            let radius = square(corners[0]);
-            let mut others = (0..n).filter(|v| !simplex.contains(v));
-            if others.all(|v| square(coords[v]) > radius) {
-                expected.insert(simplex.iter().map(|&v| v as u32).collect());
-            }
-        };
-        for a in 0..n {
-            for b in a + 1..n {
-                consider(&[a, b]);
-                for c in b + 1..n {
-                    consider(&[a, b, c]);
-                    for d in c + 1..n {
-                        consider(&[a, b, c, d]);
-                    }
-                }
-            }
-        }
-        let found: BTreeSet<Vec<u32>> = (flow.critical().corners().iter())
-            .map(|corners| {
-                let mut simplex: Vec<u32> =
-                    corners.iter().copied().filter(|&v| (v as usize) < n).collect();
-                simplex.sort_unstable();
-                simplex
-            })
-            .collect();
-        assert_eq!(found, expected, "seed {seed}");
-        assert_eq!(found.len(), flow.critical().len());
-        for (at, (corners, &distance)) in flow
-            .critical()
-            .points()
-            .iter()
-            .zip(flow.critical().corners().iter().zip(flow.critical().distances()))
-        {
-            for &v in corners.iter().filter(|&&v| (v as usize) < n) {
-                let to = sub(coords[v as usize], *at);
-                assert!((dot(to, to).sqrt() - distance).abs() <= 1e-9 * distance);
-            }
-        }
-    }
 }
 
 /// A cube: the middles of its edges, of its sides, and its own. Where samples are on the spheres, perturbed critical points cancel but for one.
@@ -291,12 +201,9 @@ fn drivers_are_the_nearest_points_of_simplices() {
     let coords = t.coords();
     let facets = flow.dual().facets().unwrap();
     // The centre of a simplex, if it holds it.
-    let held = |simplex: &[u32]| -> Option<Point> {
+    let held = |simplex: &[u32]| {
         let corners: Vec<Point> = simplex.iter().map(|&v| coords[v as usize]).collect();
-        let weights = center(&corners);
-        weights.iter().all(|&w| w > 0.0).then(|| {
-            std::array::from_fn(|k| corners.iter().zip(&weights).map(|(p, w)| w * p[k]).sum())
-        })
+        held_center(&corners)
     };
     let place = |simplex: Simplex| match simplex {
         Simplex::Sample(v) => coords[v as usize],

@@ -5,6 +5,8 @@ mod cocone;
 mod crust;
 mod dual;
 mod flow;
+mod flow_reference;
+mod flow_wedges;
 mod generated;
 mod job;
 mod labels;
