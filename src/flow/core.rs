@@ -113,7 +113,7 @@ impl Flow {
                 VoronoiSet::touched(&source, seeds, None, &mut room, run)?
             }
             Some(inner) => {
-                let seeds = inner::seeds(self, &source, inner).filter(|&face| inner.has(face));
+                let seeds = inner::seeds(self, &source, inner);
                 VoronoiSet::touched(&source, seeds, Some(inner), &mut room, run)?
             }
         };
@@ -141,7 +141,7 @@ impl Flow {
         core.add(&its, seeds, within.as_ref(), &mut room, run)?;
         if let (Some(inner), Some(within)) = (&inner, &within) {
             let mut all = core.clone();
-            let seeds = inner::seeds(self, &source, inner).filter(|&face| inner.has(face));
+            let seeds = inner::seeds(self, &source, inner);
             let seeds = seeds.flat_map(|face| its.elements_of(face));
             all.add(&its, seeds, Some(within), &mut room, run)?;
             all.collapse(&its, &core, &mut room, run)?;

@@ -35,7 +35,7 @@ pub(super) fn inner(
     Ok(inner)
 }
 
-/// The faces of critical points, and those within a set that flow out of it: from these the flow reaches whatever it does not collapse.
+/// The faces of a set that have critical points, and those that flow out of it: from these the flow reaches whatever it does not collapse.
 pub(super) fn seeds<'a>(
     flow: &'a Flow,
     source: &'a Source<'a>,
@@ -51,7 +51,7 @@ pub(super) fn seeds<'a>(
             !set.has(driver)
         }
     });
-    let critical = flow.critical.simplices().iter().copied();
+    let critical = flow.critical.simplices().iter().copied().filter(|&face| set.has(face));
     critical
         .chain(edges.map(|(triangle, _)| Simplex::Triangle(triangle)))
         .chain(cells.map(|(cell, _)| Simplex::Cell(cell)))

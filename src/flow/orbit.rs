@@ -9,6 +9,7 @@ use crate::complex::{Attribute, Complex, ComplexParts, Element, Values};
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
 use crate::job::{Job, Room, Run, Stage};
+use crate::points::Bounds;
 use crate::predicates::{exit_order, is_acute};
 use crate::triangulation::Incidence;
 use crate::vector::{Vec3, add, dot, length, scale, sub, unit};
@@ -115,7 +116,8 @@ impl Flow {
         run.enter(Stage::Query)?;
         let incidence = self.dual.triangulation().incidence_in(run)?;
         let source = self.source()?;
-        let diagonal = diagonal(self.dual.triangulation().coords());
+        let coords = self.dual.triangulation().coords().iter().copied();
+        let diagonal = Bounds::of(coords).map_or(0.0, |bounds| bounds.diagonal());
         let traces = self.for_each(points, run, |places, x| {
             let simplex = places.find(&source, &incidence, x)?;
             let mut trace = Trace {
@@ -154,13 +156,6 @@ impl Flow {
         }
         Ok(orbits)
     }
-}
-
-/// The diagonal of a box of points.
-fn diagonal(points: &[Vec3]) -> f64 {
-    let extreme =
-        |k: usize, pick: fn(f64, f64) -> f64| points.iter().map(|p| p[k]).fold(points[0][k], pick);
-    length([0, 1, 2].map(|k| extreme(k, f64::max) - extreme(k, f64::min)))
 }
 
 /// Where an orbit goes on.

@@ -62,15 +62,7 @@ impl Source<'_> {
 impl Source<'_> {
     /// Inner or outer if all cells round a Voronoi face are; what is outside the hull is outer. Both for a face that crosses the surface, as Voronoi cells do.
     pub fn side_of(&self, labels: &Labels, face: Simplex) -> Side {
-        let is_inner = |cell: &u32| *cell != NONE && labels.is_inner()[*cell as usize];
-        let of = |cells: &[u32], is_unbounded: bool| match (
-            cells.iter().all(is_inner),
-            cells.iter().any(is_inner),
-        ) {
-            (true, _) if !is_unbounded => Side::Inner,
-            (_, false) => Side::Outer,
-            _ => Side::Both,
-        };
+        let of = |cells: &[u32], is_unbounded| Side::of(labels, cells, is_unbounded);
         match face {
             Simplex::Sample(_) => Side::Both,
             Simplex::Edge(facet) => {

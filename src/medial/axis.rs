@@ -7,7 +7,9 @@ use crate::complex::{Attribute, Complex, ComplexParts, Element, Rows, Values};
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
 use crate::job::{Job, Room, Run, Stage, parts};
+use crate::labels::Labels;
 use crate::vector::{length, sub};
+use std::sync::Arc;
 
 impl Medial {
     /// The facets that a filter lets pass, ascending.
@@ -72,17 +74,11 @@ impl Medial {
         Ok(selected)
     }
 
-    /// Inner or outer if every cell of the ring is; the space outside the hull is outer. Both if the facet crosses the surface, or
-    /// there are no labels.
+    /// The side of a facet; both where there are no labels.
     fn side_of(&self, ring: &[u32], facet: usize) -> Side {
-        let Some(labels) = &self.labels else { return Side::Both };
-        let is_inner = |&cell: &u32| labels.is_inner()[cell as usize];
         let is_unbounded = self.dual.facets().is_some_and(|facets| facets.is_unbounded(facet));
-        match (ring.iter().all(is_inner), ring.iter().any(is_inner)) {
-            (true, _) if !is_unbounded => Side::Inner,
-            (_, false) => Side::Outer,
-            _ => Side::Both,
-        }
+        let of = |labels: &Arc<Labels>| Side::of(labels, ring, is_unbounded);
+        self.labels.as_ref().map_or(Side::Both, of)
     }
 
     /// The axis: the Voronoi facets that a filter lets pass, with their edges and vertices, as convex polygons.

@@ -2,6 +2,8 @@
 
 use super::Medial;
 use crate::error::{Error, Result, Status};
+use crate::index::NONE;
+use crate::labels::Labels;
 use crate::points::COORDINATE_MAX;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI};
 
@@ -31,6 +33,19 @@ pub enum Side {
     Inner = 1,
     /// All facets, those that cross the surface as well. The only one that needs no labels.
     Both = 2,
+}
+
+impl Side {
+    /// The side of a face of the Voronoi diagram: inner or outer if all cells round it are. What is outside the hull is outer, be it [`NONE`] among the cells or where the
+    /// face is unbounded. Both if the face crosses the surface.
+    pub(crate) fn of(labels: &Labels, cells: &[u32], is_unbounded: bool) -> Side {
+        let is_inner = |&cell: &u32| cell != NONE && labels.is_inner()[cell as usize];
+        match (cells.iter().all(is_inner), cells.iter().any(is_inner)) {
+            (true, _) if !is_unbounded => Side::Inner,
+            (_, false) => Side::Outer,
+            _ => Side::Both,
+        }
+    }
 }
 
 /// Thresholds on the facets of a [`Medial`].
