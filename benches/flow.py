@@ -3,7 +3,7 @@
 
 usage: flow.py MEDAX DATA FOLDER
 
-MEDAX is the program, DATA the folder with the models, FOLDER where flow.md goes. Seconds are elapsed ones, medians of three runs with one thread; peaks are of the library's own arrays."""
+MEDAX is the program, DATA the folder with the models, FOLDER where flow.md goes. Seconds are those of the processor, medians of up to three runs with one thread; peaks are of the library's own arrays."""
 
 import datetime
 import json
@@ -31,8 +31,9 @@ MODELS = [
 ]
 SHAPES = [("ellipsoid", [1, 0, 0]), ("capsule", [1, 0, 0]), ("torus", [1, 1, 0]), ("genus3", [1, 3, 0]), ("trefoil", [1, 1, 0])]
 GROWTH = [10_000, 30_000, 100_000, 300_000, 1_000_000]
+GROWING = ["ellipsoid", "trefoil"]
 # The whole complex of a tube has 100 faces and more for each sample.
-WHOLE = 30_000
+MOST = {"core": 1_000_000, "extended": 100_000, "whole": 30_000}
 
 
 def run(medax, command, path, *options):
@@ -53,7 +54,7 @@ def show(found, solid):
 
 
 def seconds(report, name):
-    return sum(stage["wall_seconds"] for stage in report["stages"] if stage["name"] == name)
+    return sum(stage["cpu_seconds"] for stage in report["stages"] if stage["name"] == name)
 
 
 def models(medax, data, add):
@@ -114,34 +115,38 @@ def cell(x, form):
 
 def growth(medax, folder, add):
     add("## Cost\n")
-    add("Samples of the trefoil tube. Seconds of the triangulation with its dual; of the flow (drivers, critical points) with the core, with the core extended by MEDIAL's facets, and with the whole flow complex; and the largest amount of memory that")
-    add("the library's own arrays took at once.\n")
-    add("| samples | triangulation, dual | flow and core | flow, extended core | flow, whole complex | core by triangulation | core, bytes a sample | whole, bytes a sample | whole, faces a sample |")
-    add("| --: | --: | --: | --: | --: | --: | --: | --: | --: |")
-    first = None
-    for count in GROWTH:
-        path = folder / "growth.ply"
-        spacing = run(medax, "sample", "trefoil", "-o", path)["parameters"]["spacing"]
-        points = run(medax, "info", path)["counts"]["vertices"]
-        run(medax, "sample", "trefoil", "--spacing", spacing * (points / count) ** 0.5, "-o", path)
-        rounds = {"core": [], "extended": [], "whole": []}
-        for _ in range(3 if count < 300_000 else 1):
-            for kind, options in [("core", []), ("extended", ["--extend", "medial"]), ("whole", ["--complex"])]:
-                if kind == "core" or count <= (WHOLE if kind == "whole" else 300_000):
-                    rounds[kind].append(run(medax, "flow", path, "--threads", 1, *options))
-        reports = {kind: list(filter(None, reports)) for kind, reports in rounds.items()}
-        middle = lambda kind, name: statistics.median(seconds(report, name) for report in reports[kind]) if reports[kind] else None
-        base = middle("core", "triangulate") + middle("core", "dual")
-        core, extended, whole = middle("core", "flow"), middle("extended", "flow"), middle("whole", "flow")
-        samples = reports["core"][0]["input"]["points"]
-        peaks = [reports[kind][0]["peak_memory_bytes"] / samples if reports[kind] else None for kind in ("core", "whole")]
-        faces = reports["whole"][0]["counts"]["faces"] / samples if reports["whole"] else None
-        cells = [f"{samples:,}", *(cell(x, "{:.2f}") for x in (base, core, extended, whole)), f"{core / base:.2f}", *(cell(x, "{:,.0f}") for x in (*peaks, faces))]
-        add("| " + " | ".join(cells) + " |")
-        last = (samples, base, core)
-        first = first or last
-    times = last[0] / first[0]
-    add(f"\nFrom the first row to the last the samples grow {times:.0f} times, the seconds of triangulation and dual {last[1] / first[1]:.0f} times, those of flow and core {last[2] / first[2]:.0f} times.\n")
+    add("Samples of two shapes, one thread. Processor seconds of the triangulation with its dual; of the flow (drivers, critical points) with the core, with the core extended by MEDIAL's facets, and with the whole flow complex; and")
+    add("the largest amount of memory that the library's own arrays took at once.\n")
+    add("| shape | samples | triangulation, dual | flow and core | flow, extended core | flow, whole complex | core by triangulation | core, bytes a sample | whole, bytes a sample | whole, faces a sample |")
+    add("| --- | --: | --: | --: | --: | --: | --: | --: | --: | --: |")
+    ends = {shape: [] for shape in GROWING}
+    for shape in GROWING:
+        for count in GROWTH:
+            path = folder / "growth.ply"
+            spacing = run(medax, "sample", shape, "-o", path)["parameters"]["spacing"]
+            points = run(medax, "info", path)["counts"]["vertices"]
+            run(medax, "sample", shape, "--spacing", spacing * (points / count) ** 0.5, "-o", path)
+            rounds = {"core": [], "extended": [], "whole": []}
+            for _ in range(3 if count < 100_000 else 1):
+                for kind, options in [("core", []), ("extended", ["--extend", "medial"]), ("whole", ["--complex"])]:
+                    if count <= MOST[kind]:
+                        rounds[kind].append(run(medax, "flow", path, "--threads", 1, *options))
+            reports = {kind: list(filter(None, reports)) for kind, reports in rounds.items()}
+            middle = lambda kind, name: statistics.median(seconds(report, name) for report in reports[kind]) if reports[kind] else None
+            base = middle("core", "triangulate") + middle("core", "dual")
+            core, extended, whole = middle("core", "flow"), middle("extended", "flow"), middle("whole", "flow")
+            samples = reports["core"][0]["input"]["points"]
+            peaks = [reports[kind][0]["peak_memory_bytes"] / samples if reports[kind] else None for kind in ("core", "whole")]
+            faces = reports["whole"][0]["counts"]["faces"] / samples if reports["whole"] else None
+            cells = [shape, f"{samples:,}", *(cell(x, "{:.2f}") for x in (base, core, extended, whole)), f"{core / base:.2f}", *(cell(x, "{:,.0f}") for x in (*peaks, faces))]
+            add("| " + " | ".join(cells) + " |")
+            ends[shape].append((samples, base, core))
+    add("\nFrom the first row of a shape to its last:\n")
+    for shape, rows in ends.items():
+        times = [last / first for first, last in zip(rows[0], rows[-1])]
+        add(f"- {shape}: the samples grow {times[0]:.0f} times, the seconds of triangulation and dual {times[1]:.0f} times, those of flow and core {times[2]:.0f} times.")
+    add("\nThe core takes as long as the triangulation and grows as that does. The tube's triangulation grows faster than its samples: the denser they are, the more of them are cospherical but for rounding, and the more is decided exactly. What is")
+    add("extended, and the whole complex, grow faster on both: on a smooth sheet the orbit of every Voronoi vertex crosses as many facets as lie between it and a critical point, about the root of their number.\n")
 
 
 def main():

@@ -1,5 +1,6 @@
-//! Flow closures: what can be reached from some elements of a flow its.
+//! Flow closures: what can be reached from some elements of a flow complex.
 
+use super::collapse::{Flags, collapse};
 use super::subdivision::{FlowElement, Subdivision};
 use crate::error::Result;
 use crate::index::NONE;
@@ -61,6 +62,18 @@ impl Subset {
     /// Adds an element alone; `false` if the set had it.
     pub fn insert(&mut self, element: FlowElement) -> bool {
         !mem::replace(self.flag(element), true)
+    }
+
+    /// Adds the sides of what is in the set.
+    pub fn close(&mut self, its: &Subdivision) {
+        for face in (0..self.has_face.len()).filter(|&face| self.has_face[face]) {
+            let rim = its.rim_of(face as u32);
+            rim.iter().for_each(|&edge| self.has_edge[edge as usize] = true);
+        }
+        for edge in (0..self.has_edge.len()).filter(|&edge| self.has_edge[edge]) {
+            let ends = its.edges[edge].into_iter().filter(|&v| v != NONE);
+            ends.for_each(|v| self.has_vertex[v as usize] = true);
+        }
     }
 
     /// Takes an element off, alone.
@@ -128,83 +141,14 @@ impl Subset {
         room: &mut Room<'_>,
         run: &Run<'_>,
     ) -> Result<()> {
-        // How many faces of the set each edge has, and how many edges each vertex; the exclusive or tells the last one.
-        let mut faces_of = room.filled(self.has_edge.len(), (0u32, 0u32))?;
-        for face in
-            run.watch((0..self.has_face.len() as u32).filter(|&f| self.has_face[f as usize]))
-        {
-            let face = face?;
-            for &edge in its.rim_of(face) {
-                let (count, last) = &mut faces_of[edge as usize];
-                (*count, *last) = (*count + 1, *last ^ face);
-            }
-        }
-        let mut edges_of = room.filled(self.has_vertex.len(), (0u32, 0u32))?;
-        for edge in
-            run.watch((0..self.has_edge.len() as u32).filter(|&e| self.has_edge[e as usize]))
-        {
-            let edge = edge?;
-            for v in its.edges[edge as usize].into_iter().filter(|&v| v != NONE) {
-                let (count, last) = &mut edges_of[v as usize];
-                (*count, *last) = (*count + 1, *last ^ edge);
-            }
-        }
-        let mut free: Vec<u32> = Vec::new();
-        for (edge, &(count, _)) in (0..).zip(&faces_of) {
-            if count == 1 {
-                room.push(&mut free, edge)?;
-            }
-        }
-        let mut done = 0;
-        let drop_edge = |subset: &mut Subset, edges_of: &mut Vec<(u32, u32)>, edge: u32| {
-            subset.has_edge[edge as usize] = false;
-            for v in its.edges[edge as usize].into_iter().filter(|&v| v != NONE) {
-                let (count, last) = &mut edges_of[v as usize];
-                (*count, *last) = (*count - 1, *last ^ edge);
-            }
+        let Subset { has_vertex, has_edge, has_face } = self;
+        let set = Flags { vertices: has_vertex, edges: has_edge, faces: has_face };
+        let is_kept = |element: FlowElement| match element {
+            FlowElement::Vertex(v) => kept.has_vertex[v as usize],
+            FlowElement::Edge(e) => kept.has_edge[e as usize],
+            FlowElement::Face(f) => kept.has_face[f as usize],
         };
-        while let Some(edge) = free.pop() {
-            done += 1;
-            if done % 4096 == 0 {
-                run.poll()?;
-            }
-            let (count, face) = faces_of[edge as usize];
-            if count != 1 || kept.has_edge[edge as usize] || kept.has_face[face as usize] {
-                continue;
-            }
-            self.has_face[face as usize] = false;
-            drop_edge(self, &mut edges_of, edge);
-            for &side in its.rim_of(face) {
-                let (count, last) = &mut faces_of[side as usize];
-                (*count, *last) = (*count - 1, *last ^ face);
-                if *count == 1 {
-                    room.push(&mut free, side)?;
-                }
-            }
-        }
-        for (vertex, &(count, _)) in (0..).zip(&edges_of) {
-            if count == 1 && self.has_vertex[vertex as usize] {
-                room.push(&mut free, vertex)?;
-            }
-        }
-        while let Some(vertex) = free.pop() {
-            done += 1;
-            if done % 4096 == 0 {
-                run.poll()?;
-            }
-            let (count, edge) = edges_of[vertex as usize];
-            let is_loose = count == 1 && faces_of[edge as usize].0 == 0;
-            if !is_loose || kept.has_vertex[vertex as usize] || kept.has_edge[edge as usize] {
-                continue;
-            }
-            self.has_vertex[vertex as usize] = false;
-            drop_edge(self, &mut edges_of, edge);
-            for v in its.edges[edge as usize].into_iter().filter(|&v| v != NONE) {
-                if edges_of[v as usize].0 == 1 {
-                    room.push(&mut free, v)?;
-                }
-            }
-        }
-        Ok(())
+        let ends_of = |edge: u32| its.edges[edge as usize];
+        collapse(set, is_kept, |face| its.rim_of(face), ends_of, room, run)
     }
 }

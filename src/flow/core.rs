@@ -106,20 +106,26 @@ impl Flow {
             true => Some(inner::inner(self, &source, &mut room, run)?),
             false => None,
         };
-        let flowing = candidates.iter().map(|&facet| Simplex::Edge(facet));
-        let mut set = match &inner {
-            None => {
-                let seeds = of_core().chain(flowing);
-                VoronoiSet::touched(&source, seeds, None, &mut room, run)?
-            }
+        let flowing = || candidates.iter().map(|&facet| Simplex::Edge(facet));
+        let rest = match &inner {
             Some(inner) => {
-                let seeds = inner::seeds(self, &source, inner);
-                VoronoiSet::touched(&source, seeds, Some(inner), &mut room, run)?
+                let core = of_core().chain(flowing());
+                Some(inner::rest(self, &source, inner, core, &mut room, run)?)
+            }
+            None => None,
+        };
+        let mut set = match &rest {
+            None => VoronoiSet::touched(&source, of_core().chain(flowing()), None, &mut room, run)?,
+            Some(rest) => {
+                let seeds = of_core().chain(rest.seeds.iter().copied());
+                VoronoiSet::touched(&source, seeds, inner.as_ref(), &mut room, run)?
             }
         };
-        if inner.is_some() && !candidates.is_empty() {
-            let flowing = candidates.iter().map(|&facet| Simplex::Edge(facet));
-            set.unite(&VoronoiSet::touched(&source, flowing, None, &mut room, run)?);
+        if let Some(rest) = &rest {
+            set.unite(&rest.faces);
+            if !candidates.is_empty() {
+                set.unite(&VoronoiSet::touched(&source, flowing(), None, &mut room, run)?);
+            }
         }
         let its = Subdivision::new(&source, &set, &mut room, run)?;
         drop(set);
@@ -139,11 +145,14 @@ impl Flow {
         };
         let seeds = of_core().chain(flowing).flat_map(|face| its.elements_of(face));
         core.add(&its, seeds, within.as_ref(), &mut room, run)?;
-        if let (Some(inner), Some(within)) = (&inner, &within) {
+        if let (Some(rest), Some(within)) = (&rest, &within) {
             let mut all = core.clone();
-            let seeds = inner::seeds(self, &source, inner);
-            let seeds = seeds.flat_map(|face| its.elements_of(face));
+            let seeds = rest.seeds.iter().flat_map(|&face| its.elements_of(face));
             all.add(&its, seeds, Some(within), &mut room, run)?;
+            for face in run.watch(rest.faces.faces()) {
+                its.elements_of(face?).for_each(|element| _ = all.insert(element));
+            }
+            all.close(&its);
             all.collapse(&its, &core, &mut room, run)?;
             core = all;
         }
@@ -152,7 +161,7 @@ impl Flow {
     }
 
     /// The critical points of the medial axis on one side.
-    fn simplices_of(&self, side: Side) -> impl Iterator<Item = Simplex> + '_ {
+    fn simplices_of(&self, side: Side) -> impl Iterator<Item = Simplex> + Clone + '_ {
         let critical = self.critical.simplices().iter().zip(self.critical.classes());
         critical.filter(move |(_, its)| its.is_on(side)).map(|(&simplex, _)| simplex)
     }

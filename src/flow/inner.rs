@@ -2,6 +2,7 @@
 
 use super::Flow;
 use super::closure::Subset;
+use super::outline::Outline;
 use super::simplex::{Simplex, VoronoiSet};
 use super::source::Source;
 use super::subdivision::Subdivision;
@@ -55,6 +56,53 @@ pub(super) fn seeds<'a>(
     critical
         .chain(edges.map(|(triangle, _)| Simplex::Triangle(triangle)))
         .chain(cells.map(|(cell, _)| Simplex::Cell(cell)))
+}
+
+/// What of the inner Voronoi faces is left beside the whole faces round a core, and has to be cut.
+pub(super) struct Rest {
+    /// The faces that nothing takes off: with those round the core they have the homotopy type of the labelled solid.
+    pub faces: VoronoiSet,
+    /// The faces from which the flow reaches all that it does not collapse of those round the core: critical ones, those that flow out, and the sides of what is left.
+    pub seeds: Vec<Simplex>,
+}
+
+/// Collapses the inner Voronoi faces to whole faces round a core: those that the flow of some faces comes to. Nothing is cut for it, so that it costs the same whatever the flow runs
+/// through.
+pub(super) fn rest(
+    flow: &Flow,
+    source: &Source<'_>,
+    inner: &VoronoiSet,
+    core: impl Iterator<Item = Simplex> + Clone,
+    room: &mut Room<'_>,
+    run: &Run<'_>,
+) -> Result<Rest> {
+    let core = core.filter(|&face| inner.has(face));
+    let round = VoronoiSet::closed(source, core.clone(), inner, room, run)?;
+    let all = seeds(flow, source, inner).chain(core);
+    let mut faces = VoronoiSet::closed(source, all, inner, room, run)?;
+    faces.collapse(source, &round, room, run)?;
+    faces.subtract(&round);
+    let mut from = Vec::new();
+    for seed in seeds(flow, source, inner).filter(|&seed| round.has(seed)) {
+        room.push(&mut from, seed)?;
+    }
+    let mut outline = Outline::default();
+    for facet in run.watch((0..).zip(&faces.facets).filter(|(_, is_in)| **is_in)) {
+        outline.trace(source, facet?.0)?;
+        for &side in
+            outline.sides.iter().filter(|&&side| side != NONE && round.edges[side as usize])
+        {
+            room.push(&mut from, Simplex::Triangle(side))?;
+        }
+    }
+    let t = source.dual.triangulation();
+    for edge in run.watch((0..).zip(&faces.edges).filter(|(_, is_in)| **is_in)) {
+        let ends = source.triangles.cells(t, edge?.0).into_iter().filter(|&cell| cell != NONE);
+        for cell in ends.filter(|&cell| round.vertices[cell as usize]) {
+            room.push(&mut from, Simplex::Cell(cell))?;
+        }
+    }
+    Ok(Rest { faces, seeds: from })
 }
 
 /// The elements of a subdivision that lie in a set of Voronoi faces.

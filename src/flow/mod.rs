@@ -2,6 +2,7 @@
 //! flow complex*). See `docs/algorithms/flow.md`.
 
 mod closure;
+mod collapse;
 mod complex;
 mod core;
 mod critical;
@@ -21,6 +22,7 @@ mod touched;
 mod triangles;
 mod upstream;
 mod validate;
+mod whole;
 
 pub use complex::FlowComplex;
 pub use core::{Core, CoreOptions, Excluded};

@@ -108,12 +108,21 @@ impl VoronoiSet {
 
     /// Adds what another set has.
     pub fn unite(&mut self, other: &VoronoiSet) {
+        self.combine(other, |its, other| its | other);
+    }
+
+    /// Takes off what another set has.
+    pub fn subtract(&mut self, other: &VoronoiSet) {
+        self.combine(other, |its, other| its & !other);
+    }
+
+    fn combine(&mut self, other: &VoronoiSet, with: impl Fn(bool, bool) -> bool) {
         for (its, others) in [
             (&mut self.facets, &other.facets),
             (&mut self.edges, &other.edges),
             (&mut self.vertices, &other.vertices),
         ] {
-            its.iter_mut().zip(others).for_each(|(its, other)| *its |= other);
+            its.iter_mut().zip(others).for_each(|(its, &other)| *its = with(*its, other));
         }
     }
 }

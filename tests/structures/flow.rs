@@ -69,6 +69,22 @@ fn the_critical_points_of_a_cube_are_the_middles_of_its_parts() {
     assert_eq!(sums.len(), 8 + 12 + 6 + 1);
 }
 
+/// On a sheet without holes all flows to one point: cut along the orbits of all Voronoi vertices it would have the more faces a sample the more samples there are.
+#[test]
+fn a_core_of_a_sheet_takes_memory_in_proportion_to_its_samples() {
+    let shape = Shape::Ellipsoid;
+    let bytes = [0.1, 0.05].map(|spacing| {
+        let dual = dual_of(&samples(shape, spacing), &Job::default());
+        let labels = labels_of(shape, &dual);
+        let flow = Flow::new(&dual, &labels, Default::default(), &Job::default()).unwrap();
+        let job = Job::default();
+        let core = flow.core(CoreOptions::default(), &[], &job).unwrap();
+        assert_eq!(core.complex().topology(&Job::default()).unwrap().betti, [1, 0, 0]);
+        job.memory_peak() as f64 / dual.triangulation().coords().len() as f64
+    });
+    assert!(bytes[1] < 1.2 * bytes[0], "{bytes:?}");
+}
+
 #[test]
 fn cores_of_smooth_shapes_have_their_homotopy_type() {
     for (shape, spacing, betti) in [
