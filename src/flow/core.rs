@@ -44,7 +44,7 @@ pub struct Excluded {
     pub of_surface: usize,
     /// Those on the other side of the surface.
     pub elsewhere: usize,
-    /// Those whose flow comes to a critical point of the surface, or of the other side.
+    /// Those whose flow comes to a critical point of the surface, or of the other side; and those that stay open for a sample within the solid, when the core is repaired.
     pub leaving: usize,
 }
 
@@ -101,11 +101,15 @@ impl Flow {
         let mut room = Room::new(run);
         let (mut candidates, mut excluded) =
             self.candidates(&source, options.side, facets, &mut room, run)?;
-        let of_core = || self.simplices_of(options.side);
         let inner = match options.repair && options.side == Side::Inner {
             true => Some(inner::inner(self, &source, &mut room, run)?),
             false => None,
         };
+        // The facets that open the cells of samples within the solid stay open.
+        let is_open = |face: Simplex| inner.as_ref().is_some_and(|inner| !inner.has(face));
+        let of_core = || self.simplices_of(options.side).filter(|&face| !is_open(face));
+        let before = candidates.len();
+        candidates.retain(|&facet| !is_open(Simplex::Edge(facet)));
         let flowing = || candidates.iter().map(|&facet| Simplex::Edge(facet));
         let rest = match &inner {
             Some(inner) => {
@@ -130,7 +134,6 @@ impl Flow {
         let its = Subdivision::new(&source, &set, &mut room, run)?;
         drop(set);
         run.enter(Stage::Extract)?;
-        let before = candidates.len();
         if !candidates.is_empty() {
             let leaving = self.leaving(&its, options.side, &mut room, run)?;
             candidates

@@ -310,6 +310,16 @@ impl Trace<'_> {
         }
         let share = view.share(outline, side, x, None);
         *at = view.place(outline, side, share);
+        // What is rounded to a Voronoi vertex goes on as that does, which is decided exactly.
+        let is_here = |corner: Corner| match corner {
+            Corner::Cell(cell) => {
+                (self.source.dual.centers()[cell as usize] == *at).then_some(cell)
+            }
+            Corner::Ray(_) => None,
+        };
+        if let Some(cell) = is_here(outline.corners[side]).or_else(|| is_here(outline.end(side))) {
+            return Ok(Next::Vertex(cell));
+        }
         Ok(match self.source.drivers.longest[triangle as usize] {
             NONE => Next::Edge(triangle),
             facet => Next::Facet(facet, Through::Rounded),

@@ -93,22 +93,36 @@ impl<'a> View<'a> {
     pub fn share(&self, outline: &Outline, side: usize, x: Vec3, last: Option<f64>) -> f64 {
         let (begin, end) = (outline.corners[side], outline.end(side));
         let turn = |corner| self.turn(x, self.vector(corner));
-        let (from, to) = (-turn(begin).min(0.0), turn(end).max(0.0));
-        let share = match (begin, end) {
-            (Corner::Cell(_), Corner::Cell(_)) => from / (from + to),
-            (_, Corner::Ray(_)) => from / to,
-            (Corner::Ray(_), _) => to / from,
+        let (from, to) = ((-turn(begin)).max(0.0), turn(end).max(0.0));
+        let (share, parted) = match (begin, end) {
+            (Corner::Cell(_), Corner::Cell(_)) => (from / (from + to), from + to),
+            (_, Corner::Ray(_)) => (from / to, to),
+            (Corner::Ray(_), _) => (to / from, from),
         };
         let at = self.to(self.place(outline, side, share));
-        let share = match dot(at, at) >= dot(x, x) {
+        let noise = self.noise(x, begin).max(self.noise(x, end));
+        let share = match parted > noise && dot(at, at) >= dot(x, x) {
             true => share,
             false => self.foot(outline, side, x),
         };
+        // Hits are put in order by their bits: a zero has one sign.
+        let share = share + 0.0;
         match (begin, end) {
             (Corner::Cell(_), Corner::Cell(_)) => share.clamp(0.0, last.unwrap_or(1.0)),
             (_, Corner::Ray(_)) => share.clamp(0.0, last.unwrap_or(FARTHEST)),
             (Corner::Ray(_), _) => share.clamp(last.unwrap_or(0.0), FARTHEST),
         }
+    }
+
+    /// What rounding alone makes of a turn from a vector to a corner that lies in its direction.
+    fn noise(&self, x: Vec3, corner: Corner) -> f64 {
+        let size = |v: Vec3| v.map(f64::abs);
+        let (from, along) = (size(self.origin), size(self.along));
+        let of_corner = match corner {
+            Corner::Cell(_) => add(size(self.vector(corner)), from),
+            Corner::Ray(_) => size(self.vector(corner)),
+        };
+        32.0 * UNIT * permanent(add(size(x), from), of_corner, along)
     }
 
     /// Where on a side the point nearest to another one lies, as [`View::share`].

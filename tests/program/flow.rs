@@ -124,4 +124,8 @@ fn the_whole_complex_is_written_and_what_cannot_be_is_refused() {
     place.write("bad.xyz", "0 0 0\n0 0 1e300\n");
     let error = place.failure("flow torus.ply --orbits bad.xyz", 1);
     assert_eq!((&error["status"], &error["index"]), (&json!("COORDINATE_RANGE"), &json!(1)));
+    assert_eq!(error["path"], "bad.xyz");
+    place.write("nan.xyz", "0 0 0\n0 0 nan\n");
+    let error = place.failure("flow torus.ply --orbits nan.xyz", 1);
+    assert_eq!((&error["status"], &error["path"]), (&json!("NON_FINITE"), &json!("nan.xyz")));
 }

@@ -5,7 +5,7 @@ use crate::medial::{dual_of, labels_of, samples};
 use crate::sets::{self, Random};
 use medax::dual::DualOptions;
 use medax::flow::{CoreOptions, Flow, FlowComplex, FlowElement, FlowOptions, Simplex};
-use medax::sample::Shape;
+use medax::sample::{SampleOptions, Shape, sample};
 use medax::{Dual, Job, JobOptions, Labels, Status};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -170,6 +170,60 @@ fn critical_sets_are_the_manifolds_that_hold_an_element() {
             let reaches = complex.closure(&[other], &job).unwrap().contains(&element);
             assert_eq!(upstream.contains(&other), reaches, "{other:?} {element:?}");
         }
+    }
+}
+
+/// On a sphere all cuts of a facet may end in one place, with a sign or without: their order must hang on neither.
+#[test]
+fn complexes_of_cospherical_samples_fit_together() {
+    for seed in 0..4 {
+        let options = SampleOptions { spacing: 0.2, seed, ..Default::default() };
+        let samples = sample(Shape::Sphere, options, &Job::default()).unwrap();
+        let flow = Arc::new(flow(samples.points(), all_inner, &Job::default()));
+        let complex = FlowComplex::new(&flow, &Job::default()).unwrap();
+        let found = complex.validate(&Job::default()).unwrap();
+        assert!(found.first.is_none(), "{seed}: {found:?}");
+    }
+}
+
+/// Its Voronoi cell would be a void, were it not open to the outside by one facet, which no extension may close.
+#[test]
+fn a_sample_within_the_solid_makes_no_void() {
+    let mut rows = samples(Shape::Sphere, 0.2);
+    rows.push([0.3, 0.2, 0.1]);
+    let flow = flow(&rows, |dual| labels_of(Shape::Sphere, dual), &Job::default());
+    let all: Vec<u32> = (0..flow.dual().facets().unwrap().len() as u32).collect();
+    for facets in [&[][..], &all] {
+        let core = flow.core(CoreOptions::default(), facets, &Job::default()).unwrap();
+        let betti = core.complex().topology(&Job::default()).unwrap().betti;
+        assert_eq!(betti, [1, 0, 0], "{} facets", facets.len());
+    }
+}
+
+/// What comes to a Voronoi vertex goes on from there as all that does, however many samples tie.
+#[test]
+fn orbits_through_voronoi_vertices_never_come_back() {
+    let rows = [
+        [2.0, 1.0, 4.0],
+        [3.0, 1.0, 5.0],
+        [4.0, 0.0, 5.0],
+        [2.0, 2.0, 5.0],
+        [0.0, 0.0, 3.0],
+        [1.0, 1.0, 4.0],
+    ];
+    let flow = flow(&rows, all_inner, &Job::default());
+    let steps = || (0..24).map(|i| 0.25 * f64::from(i));
+    let starts: Vec<Point> =
+        steps().flat_map(|x| steps().map(move |y| [x - 1.0, y - 1.0, 5.5 - 0.5 * x])).collect();
+    let orbits = flow.orbits(&starts, &Job::default()).unwrap();
+    for i in 0..starts.len() {
+        let range = orbits.offsets()[i] as usize..orbits.offsets()[i + 1] as usize;
+        let distances = &orbits.distances()[range];
+        assert!(
+            distances.is_sorted_by(|a, b| *a <= b * (1.0 + 1e-9)),
+            "{:?}: {distances:?}",
+            starts[i]
+        );
     }
 }
 

@@ -76,7 +76,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     let (points, input) = session.points(&options.input, &soup, &options.read)?;
     drop(soup);
     let starts = match &options.what.orbits {
-        Some(path) => Some(session.read(path)?.vertices().to_vec()),
+        Some(path) => Some((path, session.read(path)?.vertices().to_vec())),
         None => None,
     };
     let triangulation = Arc::new(Triangulation::delaunay(&points, &session.job)?);
@@ -95,7 +95,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     })?;
     let mut more = describe(&flow);
     let (name, complex) = match &starts {
-        Some(starts) => ("orbits", orbits(&flow, starts, &mut more, session)?),
+        Some((path, starts)) => ("orbits", orbits(&flow, path, starts, &mut more, session)?),
         None if options.what.critical => ("critical points", flow.critical_complex(&session.job)?),
         None if options.what.complex => {
             ("flow complex", FlowComplex::new(&flow, &session.job)?.complex(&session.job)?)
@@ -181,11 +181,12 @@ impl Options {
 
 fn orbits(
     flow: &Flow,
+    path: &Path,
     starts: &[[f64; 3]],
     more: &mut Map<String, serde_json::Value>,
     session: &mut Session,
 ) -> Result<Complex, Failure> {
-    let orbits = flow.orbits(starts, &session.job)?;
+    let orbits = flow.orbits(starts, &session.job).map_err(Failure::about(path))?;
     let infinite = orbits.ends().iter().filter(|&&end| end == medax::NONE).count();
     more.insert("orbits".into(), json!({ "count": orbits.len(), "to_infinity": infinite }));
     Ok(orbits.complex(&session.job)?)
