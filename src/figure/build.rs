@@ -95,7 +95,9 @@ impl<'a> Draft<'a> {
                 "more than 2^32 - 2 vertices and circles",
             ));
         }
-        if count.iter().all(|&n| n == 0) && parts.ring_offsets.len() < 2 {
+        let rows = |offsets: &[u32]| offsets.len().saturating_sub(1);
+        let chains = rows(parts.ring_offsets) + rows(parts.polyline_offsets);
+        if count.iter().all(|&n| n == 0) && chains == 0 {
             return Err(Error::new(Status::TooFewPoints, "the figure holds nothing"));
         }
         let mut room = Room::new(run);
@@ -204,6 +206,9 @@ impl<'a> Draft<'a> {
             })?;
             if self.vertices[begin..].last() == Some(&[x, y]) {
                 self.normalised.repeated_vertices += 1;
+                // The edge goes on from the last of them.
+                self.sources.pop();
+                self.sources.push(i as u32);
                 continue;
             }
             self.room.push(&mut self.vertices, [x, y])?;

@@ -102,7 +102,7 @@ pub struct Normalised {
 /// [`COORDINATE_MAX`](crate::points::COORDINATE_MAX) in absolute value, and never -0; so is every radius, which is greater
 /// than 0. Each vertex belongs to one chain, and a chain's vertices follow each other. Vertices in succession differ, those of a ring round its end, too. A
 /// ring has three vertices or more that are not on one line, a polyline two or more, a point one. A polygon's outer
-/// ring comes first, then its holes. An outer ring turns left at its least vertex by x, then y, a hole right.
+/// ring comes first, then its holes. An outer ring turns left at its least vertex by x, then y, a hole right; crossing rings need not turn there.
 ///
 /// Unless crossings were accepted: edges, of rings and polylines alike, and circles have no point in common but the vertex between
 /// two edges of a chain and the ends that polylines share; so an outer ring runs counterclockwise, a hole clockwise. Holes lie in

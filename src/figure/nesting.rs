@@ -21,10 +21,14 @@ pub(super) fn least_vertex(ring: &[Point]) -> usize {
     (1..ring.len()).fold(0, |least, i| if less(&ring[i], &ring[least]) { i } else { least })
 }
 
-/// Where a ring turns at its least vertex: positive for a ring without crossings that runs counterclockwise.
+/// Where a ring turns at its least vertex: positive for a ring without crossings that runs counterclockwise. Of several vertices at that
+/// place, as crossing rings may have, most decide, so that a ring that is turned has the other direction.
 pub(crate) fn direction(ring: &[Point]) -> Sign {
-    let (count, i) = (ring.len(), least_vertex(ring));
-    orient2d(&ring[(i + count - 1) % count], &ring[i], &ring[(i + 1) % count])
+    let (count, least) = (ring.len(), ring[least_vertex(ring)]);
+    let at_least = (0..count).filter(|&i| ring[i] == least);
+    let turns =
+        at_least.map(|i| orient2d(&ring[(i + count - 1) % count], &least, &ring[(i + 1) % count]));
+    Sign::of(turns.map(|turn| f64::from(turn as i8)).sum())
 }
 
 /// An edge that is not vertical, or a point, which is one without length.

@@ -110,11 +110,11 @@ impl Report<'_> {
             let circle =
                 self.curves.circle_of(curve).and_then(|i| self.curves.figure.circles.get(i));
             let Some([x, y, radius]) = circle else { return whose };
-            return format!("{whose}, of radius {radius} round ({x}, {y}),");
+            return format!("{whose} of radius {radius} round ({x}, {y})");
         };
         let edge = self.sources[a as usize];
         let [[ax, ay], [bx, by]] = [a, b].map(|v| *self.curves.position(v));
-        format!("edge {edge} of {whose}, from ({ax}, {ay}) to ({bx}, {by}),")
+        format!("edge {edge} of {whose} from ({ax}, {ay}) to ({bx}, {by})")
     }
 
     /// Where two edges meet: at a vertex, or nearly there where they cross; `None` for circles.
