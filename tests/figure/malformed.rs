@@ -145,7 +145,7 @@ proptest! {
 
     #[test]
     fn changed_bytes_are_an_error_or_sound(
-        changes in prop::collection::vec((any::<prop::sample::Index>(), prop_oneof![any::<u8>(), b'0'..b'9', Just(b'['), Just(b',')]), 1..4),
+        changes in prop::collection::vec((any::<prop::sample::Index>(), prop_oneof![any::<u8>(), b'0'..=b'9', Just(b'['), Just(b',')]), 1..4),
     ) {
         let mut bytes = SAMPLE.as_bytes().to_vec();
         for (place, byte) in changes {
