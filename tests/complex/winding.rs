@@ -256,7 +256,7 @@ fn threads_change_no_byte() {
 fn what_cannot_be_is_told() {
     let mesh = cube().build();
     let job = Job::default();
-    assert_eq!(mesh.winding_numbers(&[], &job).unwrap(), []);
+    assert!(mesh.winding_numbers(&[], &job).unwrap().is_empty());
     for wrong in [f64::NAN, f64::INFINITY] {
         let error = mesh.winding_numbers(&[[0.0; 3], [0.0, wrong, 0.0]], &job).unwrap_err();
         assert_eq!(error.status(), Status::NonFinite);
