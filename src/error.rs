@@ -86,6 +86,10 @@ pub enum ElementKind {
     Vertex = 7,
     /// An edge, from 0.
     Edge = 8,
+    /// An open polyline of a figure, from 0.
+    Polyline = 9,
+    /// A circle of a figure, from 0.
+    Circle = 10,
 }
 
 impl ElementKind {
@@ -100,6 +104,8 @@ impl ElementKind {
             ElementKind::Cell => "cell",
             ElementKind::Vertex => "vertex",
             ElementKind::Edge => "edge",
+            ElementKind::Polyline => "polyline",
+            ElementKind::Circle => "circle",
         }
     }
 }

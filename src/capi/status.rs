@@ -97,6 +97,10 @@ pub enum medax_error_kind {
     Vertex = 7,
     /// An edge, from 0.
     Edge = 8,
+    /// An open polyline of a figure, from 0.
+    Polyline = 9,
+    /// A circle of a figure, from 0.
+    Circle = 10,
 }
 
 impl From<ElementKind> for medax_error_kind {
@@ -110,6 +114,8 @@ impl From<ElementKind> for medax_error_kind {
             ElementKind::Cell => medax_error_kind::Cell,
             ElementKind::Vertex => medax_error_kind::Vertex,
             ElementKind::Edge => medax_error_kind::Edge,
+            ElementKind::Polyline => medax_error_kind::Polyline,
+            ElementKind::Circle => medax_error_kind::Circle,
         }
     }
 }

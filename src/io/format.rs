@@ -24,10 +24,12 @@ pub enum Format {
     Ma,
     /// ParaView's unstructured grid.
     Vtu,
+    /// Plane figures, and plane complexes in writing.
+    GeoJson,
 }
 
 /// Every known ending, in the order in which messages list them.
-const ENDINGS: [(&str, Format); 11] = [
+const ENDINGS: [(&str, Format); 12] = [
     ("ply", Format::Ply),
     ("off", Format::Off),
     ("obj", Format::Obj),
@@ -39,6 +41,7 @@ const ENDINGS: [(&str, Format); 11] = [
     ("pwn", Format::Pwn),
     ("ma", Format::Ma),
     ("vtu", Format::Vtu),
+    ("geojson", Format::GeoJson),
 ];
 
 impl Format {
@@ -74,6 +77,7 @@ impl Format {
             Format::Pwn => "PWN",
             Format::Ma => "MA",
             Format::Vtu => "VTU",
+            Format::GeoJson => "GeoJSON",
         }
     }
 
@@ -104,6 +108,7 @@ mod tests {
             ("a.pwn", Format::Pwn),
             ("a.ma", Format::Ma),
             ("a.vtu", Format::Vtu),
+            ("a.GeoJSON", Format::GeoJson),
         ] {
             assert_eq!(Format::of_path(path).unwrap(), format, "{path}");
         }

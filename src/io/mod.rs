@@ -1,10 +1,10 @@
-//! Files: bytes to [`Points`] and [`Complex`], and back. No geometry.
+//! Files: bytes to [`Points`], [`Complex`] and [`Figure`], and back. No geometry.
 //!
 //! What each format holds is in `docs/formats.md`. Reading trusts nothing: a count is checked
 //! against the bytes that are left before room is made for it, and every error names the line of a
 //! text or the byte of a binary file. That is why the parsers are our own: crates for these formats
 //! read streams of typed records, and say neither where a file is wrong nor how much it promises.
-//! They are small, as the formats are.
+//! They are small, as the formats are. JSON is left to `serde_json`, which names the line.
 //!
 //! Writing goes to a file beside the given name, moved into place when it is complete, with the rights of
 //! the file that it replaces. What a format cannot hold is said in the returned warnings. Numbers are written so that they read back
@@ -12,6 +12,7 @@
 
 mod file;
 mod format;
+mod geojson;
 mod ma;
 mod obj;
 mod off;
@@ -26,11 +27,13 @@ mod xyz;
 
 pub use file::target;
 pub use format::Format;
+pub use geojson::{FeatureChoice, ReadFigureOptions, parse_figure};
 pub use soup::Soup;
 pub use write::{WriteOptions, write_complex, write_points};
 
 use crate::complex::Complex;
 use crate::error::{ElementKind, Error, Result, Status};
+use crate::figure::Figure;
 use crate::job::{Job, Run, Stage};
 use crate::points::{Points, PointsOptions};
 use std::path::Path;
@@ -48,6 +51,11 @@ pub fn parse(bytes: &[u8], format: Format, job: &Job) -> Result<Soup> {
 }
 
 fn parse_in(bytes: &[u8], format: Format, run: &Run<'_>) -> Result<Soup> {
+    if format == Format::GeoJson {
+        let message =
+            "a GeoJSON file holds a plane figure, not points or a complex; read it as a figure";
+        return Err(Error::new(Status::Unsupported, message));
+    }
     if !format.is_read() {
         let message = format!("medax writes {} and does not read it", format.name());
         return Err(Error::new(Status::Unsupported, message));
@@ -64,7 +72,9 @@ fn parse_in(bytes: &[u8], format: Format, run: &Run<'_>) -> Result<Soup> {
         Format::Xyz | Format::Csv => xyz::parse(bytes, run),
         Format::Pwn => xyz::parse_pwn(bytes, run),
         Format::Ma => ma::parse(bytes, run),
-        Format::Vtu => Err(Error::new(Status::Internal, "a format without a reader")),
+        Format::Vtu | Format::GeoJson => {
+            Err(Error::new(Status::Internal, "a format without a reader"))
+        }
     }
 }
 
@@ -96,6 +106,27 @@ pub fn read_points(path: impl AsRef<Path>, options: PointsOptions, job: &Job) ->
 /// Errors: as [`read`] and [`Soup::into_complex`].
 pub fn read_complex(path: impl AsRef<Path>, job: &Job) -> Result<Complex> {
     job.run(&[(Stage::Read, 1.0)], |run| read_in(path.as_ref(), run)?.into_complex())
+}
+
+/// Reads a figure from a GeoJSON file, as [`parse_figure`] does from bytes.
+///
+/// Errors: as [`parse_figure`]; [`Status::Io`] where the file cannot be read; [`Status::Unsupported`] for another
+/// ending.
+pub fn read_figure(
+    path: impl AsRef<Path>,
+    options: &ReadFigureOptions,
+    job: &Job,
+) -> Result<Figure> {
+    job.run(&[(Stage::Read, 0.5), (Stage::Order, 0.5)], |run| {
+        let format = Format::of_path(&path)?;
+        if format != Format::GeoJson {
+            let message = format!("{} holds no plane figure; give a GeoJSON file", format.name());
+            return Err(Error::new(Status::Unsupported, message));
+        }
+        run.enter(Stage::Read)?;
+        let file = file::load(path.as_ref(), run)?;
+        geojson::parse_figure_in(&file.bytes, options, run)
+    })
 }
 
 #[cfg(test)]

@@ -25,6 +25,11 @@ impl<'a> Sink<'a> {
         Sink { out, run, done: 0, total, warnings: Vec::new() }
     }
 
+    /// The run that the writing is part of.
+    pub fn run(&self) -> &'a Run<'a> {
+        self.run
+    }
+
     pub fn bytes(&mut self, bytes: &[u8]) -> Result<()> {
         Ok(self.out.write_all(bytes)?)
     }

@@ -1,7 +1,7 @@
 //! Writing a complex or points, and saying what the format does not hold.
 
 use super::sink::Sink;
-use super::{Format, file, ma, obj, off, ply, stl, vtu, xyz};
+use super::{Format, file, geojson, ma, obj, off, ply, stl, vtu, xyz};
 use crate::complex::{Complex, ComplexParts, Element};
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::job::{Job, Stage};
@@ -19,7 +19,7 @@ pub struct WriteOptions {
 /// thing that the file does not hold.
 ///
 /// Errors: [`Status::Unsupported`] for an unknown ending, for a format that is not written, and
-/// where the format can hold nothing of the complex; [`Status::CoordinateRange`] with the vertex where
+/// where the format can hold nothing of the complex, as GeoJSON of one in space; [`Status::CoordinateRange`] with the vertex where
 /// STL's single precision is too small; [`Status::Io`]. After an error, a file that was there before
 /// is as it was.
 pub fn write_complex(
@@ -45,6 +45,7 @@ pub fn write_complex(
                 Format::Csv => xyz::write(complex, ',', &mut sink)?,
                 Format::Ma => ma::write(complex, &mut sink)?,
                 Format::Vtu => vtu::write(complex, &mut sink)?,
+                Format::GeoJson => geojson::write(complex, &mut sink)?,
                 Format::Pwn => {}
             }
             sink.finish()
@@ -73,6 +74,9 @@ fn warn_losses(complex: &Complex, format: Format, out: &mut Sink<'_>) -> Result<
     if !format.is_written() {
         return unsupported(format!("medax reads {name} and does not write it"));
     }
+    if format == Format::GeoJson {
+        geojson::check(complex)?;
+    }
     if format == Format::Stl && complex.faces().is_empty() {
         return unsupported("STL holds faces, and there is none; write PLY".to_string());
     }
@@ -94,7 +98,7 @@ fn warn_losses(complex: &Complex, format: Format, out: &mut Sink<'_>) -> Result<
     for attribute in complex.attributes() {
         let (element, what) = (attribute.element(), attribute.name());
         let held = match format {
-            Format::Ply | Format::Vtu => holds(element),
+            Format::Ply | Format::Vtu | Format::GeoJson => holds(element),
             Format::Ma => element == Element::Vertex && what == "radius",
             _ => false,
         };

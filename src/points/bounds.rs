@@ -16,7 +16,7 @@ impl Bounds {
     }
 
     /// The smallest box that holds another one, if there is one, and a point.
-    pub(super) fn with(bounds: Option<Bounds>, p: [f64; 3]) -> Self {
+    pub(crate) fn with(bounds: Option<Bounds>, p: [f64; 3]) -> Self {
         let Bounds { min, max } = bounds.unwrap_or(Bounds { min: p, max: p });
         Bounds {
             min: std::array::from_fn(|i| min[i].min(p[i])),

@@ -71,7 +71,7 @@ impl Poles {
             });
             // A walk over the cells that share the sphere. None is lesser, and none was on the walk of
             // another pole.
-            let mut samples = Vec::new();
+            let mut samples: Vec<u32> = Vec::new();
             let mut least = !std::mem::replace(&mut seen[cell as usize], true);
             let mut far = false;
             let mut stack = vec![cell];

@@ -41,7 +41,7 @@ pub(crate) mod stages;
 
 pub use bisector::{exit_order, is_acute};
 pub use diametral::{edge_conflict, triangle_conflict};
-pub use orient::{collinear, coplanar_orientation, orient3d};
+pub use orient::{collinear, coplanar_orientation, orient2d, orient3d};
 pub use perturb::{delaunay_conflict, regular_conflict};
 pub(crate) use perturb::{in_conflict, settle};
 pub use sign::Sign;

@@ -49,13 +49,23 @@ fn further(points: [&[f64; 3]; 4], determinant: f64, product: f64) -> Sign {
     exact::volume(points)
 }
 
+/// The orientation of a, b, c in the plane: the sign of the determinant of b - a, c - a.
+///
+/// Positive when a, b, c turn to the left, zero when they are collinear. Cost: as [`orient3d`].
+pub fn orient2d(a: &[f64; 2], b: &[f64; 2], c: &[f64; 2]) -> Sign {
+    let raised = |p: &[f64; 2]| [p[0], p[1], 0.0];
+    projected(&raised(a), &raised(b), &raised(c), [0, 1])
+}
+
 /// The orientation of a, b, c projected on two axes.
-pub(super) fn orient2d(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], axes: [usize; 2]) -> Sign {
+fn projected(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], axes: [usize; 2]) -> Sign {
     let row = |p: &[f64; 3]| axes.map(|axis| p[axis] - a[axis]);
     let (p, q) = (row(b), row(c));
     let determinant = p[0] * q[1] - p[1] * q[0];
     let largest = |i: usize| larger(p[i].abs(), q[i].abs());
-    if determinant.abs() > 9.0 * UNIT * (largest(0) * largest(1)) {
+    let product = largest(0) * largest(1);
+    // Where the product is 0, all is on a line along an axis, and nothing was rounded.
+    if determinant.abs() > 9.0 * UNIT * product || product == 0.0 {
         return Sign::of(determinant);
     }
     exact::area(a, b, c, axes)
@@ -69,7 +79,7 @@ pub(super) fn orient2d(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], axes: [usize; 2
 pub fn coplanar_orientation(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]) -> Sign {
     [[0, 1], [1, 2], [0, 2]]
         .into_iter()
-        .map(|axes| orient2d(a, b, c, axes))
+        .map(|axes| projected(a, b, c, axes))
         .find(|sign| !sign.is_zero())
         .unwrap_or(Sign::Zero)
 }
