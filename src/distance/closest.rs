@@ -60,7 +60,8 @@ fn unit(along: Vec3) -> Vec3 {
     scale(along, 1.0 / length(along))
 }
 
-fn on_segment(p: Vec3, a: Vec3, b: Vec3) -> Vec3 {
+/// The nearest point of a segment.
+pub(super) fn on_segment(p: Vec3, a: Vec3, b: Vec3) -> Vec3 {
     let along = sub(b, a);
     let length_2 = dot(along, along);
     let from_a = dot(sub(p, a), along);

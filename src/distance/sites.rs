@@ -5,6 +5,7 @@ use super::side::Solid;
 use super::tree::Tree;
 use crate::complex::Complex;
 use crate::error::{ElementKind, Error, Result, Status};
+use crate::figure::{ChainKind, Figure};
 use crate::job::{Job, Room, Run, Stage};
 use crate::points::Bounds;
 use crate::vector::{Vec3, length, scale, sub};
@@ -84,6 +85,49 @@ impl Sites {
         let bounds = Bounds::of(corners);
         let site_count = site_of_piece.iter().max().map_or(0, |&site| site + 1);
         Ok(Sites { dimension, pieces, site_of_piece, site_count, bounds, tree, solid: Solid::None })
+    }
+
+    /// The curves and points of a figure: each of its parts is a site, its rings and circles are closed.
+    ///
+    /// Errors: those of the job.
+    pub fn of_figure(figure: &Figure, job: &Job) -> Result<Self> {
+        job.run(&[(Stage::Order, 1.0)], |run| Sites::of_figure_in(figure, run))
+    }
+
+    /// [`Sites::of_figure`] as a stage of a larger build.
+    pub(crate) fn of_figure_in(figure: &Figure, run: &Run<'_>) -> Result<Self> {
+        let mut room = Room::new(run);
+        let at = |v: u32| {
+            let [x, y] = figure.vertices()[v as usize];
+            [x, y, 0.0]
+        };
+        let count = figure.vertices().len() + figure.circles().len();
+        let (mut pieces, mut site_of_piece) = (room.vec(count)?, room.vec(count)?);
+        let mut is_closed = room.vec(count)?;
+        let mut push = |piece, site, closed| {
+            pieces.push(piece);
+            site_of_piece.push(site);
+            is_closed.push(closed);
+        };
+        for chain in run.watch(0..figure.kinds().len()) {
+            let chain = chain?;
+            let (kind, part) = (figure.kinds()[chain], figure.parts()[chain]);
+            if kind == ChainKind::Point {
+                figure
+                    .chains()
+                    .row(chain)
+                    .iter()
+                    .for_each(|&v| push(Piece::Point(at(v)), part, false));
+            }
+            for ends in figure.edges(chain) {
+                push(Piece::Segment(ends.map(at)), part, kind.is_ring());
+            }
+        }
+        for (i, &[x, y, radius]) in figure.circles().iter().enumerate() {
+            push(Piece::Sphere([x, y, 0.0], radius), figure.part_of_circle(i), true);
+        }
+        let solid = Solid::Curves(is_closed);
+        Ok(Sites { solid, ..Sites::new_in(2, pieces, site_of_piece, run)? })
     }
 
     /// The faces of a complex as triangles, its loose edges as segments, and its vertices that neither uses as points: one site. Polygon soup is welcome; inside is where the faces wind round a point.

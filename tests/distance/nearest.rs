@@ -112,11 +112,15 @@ fn thin_triangles_are_as_far_as_their_sides() {
                 let sites = open(3, vec![Piece::Triangle(corners)]);
                 let p = random.point(-2.0, 2.0).map(|x| x * scale);
                 let found = sites.nearest(&[p], &Job::default()).unwrap()[0];
-                let sides = [[0, 1], [1, 2], [2, 0]].map(|[i, j]| to_hull(p, &[corners[i], corners[j]]));
+                let sides =
+                    [[0, 1], [1, 2], [2, 0]].map(|[i, j]| to_hull(p, &[corners[i], corners[j]]));
                 let rim = sides.into_iter().fold(f64::INFINITY, f64::min);
                 // The inside of a triangle is no farther from its rim than it is thin.
                 assert!(found.distance <= rim * (1.0 + 1e-14));
-                assert!(found.distance >= rim - 2.0 * thin * scale - 1e-14 * scale, "{scale} {thin}");
+                assert!(
+                    found.distance >= rim - 2.0 * thin * scale - 1e-14 * scale,
+                    "{scale} {thin}"
+                );
             }
         }
     }
@@ -145,7 +149,8 @@ fn a_point_is_inside_where_a_ray_crosses_an_odd_number_of_times() {
         // The angles under which the sides are seen add up to a full turn or to nothing.
         let turn: f64 = (0..ring.len())
             .map(|i| {
-                let [a, b] = [ring[i], ring[(i + 1) % ring.len()]].map(|q| [q[0] - p[0], q[1] - p[1]]);
+                let [a, b] =
+                    [ring[i], ring[(i + 1) % ring.len()]].map(|q| [q[0] - p[0], q[1] - p[1]]);
                 (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1])
             })
             .sum();

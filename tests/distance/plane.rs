@@ -1,8 +1,10 @@
 //! Circles over the plane: sound and complete.
 
-use crate::shapes::{Point, Random, closed, comb, distance, dot, l_shape, polygon, rectangle, rings, star, sub};
-use medax::{Job, JobOptions};
+use crate::shapes::{
+    Point, Random, closed, comb, distance, dot, l_shape, polygon, rectangle, rings, star, sub,
+};
 use medax::distance::{FieldAxis, FieldOptions, GraphOptions, MedialGraph, Piece, Sites};
+use medax::{Job, JobOptions};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -17,7 +19,10 @@ fn figures() -> Vec<(&'static str, Arc<Sites>)> {
         ("rectangle", closed(rings(&[rectangle(4.0, 2.0)]))),
         ("l", closed(rings(&[l_shape()]))),
         ("comb", closed(rings(&[comb(4)]))),
-        ("ellipse", closed(rings(&[polygon(400, 1.0).iter().map(|p| [2.0 * p[0], p[1]]).collect()]))),
+        (
+            "ellipse",
+            closed(rings(&[polygon(400, 1.0).iter().map(|p| [2.0 * p[0], p[1]]).collect()])),
+        ),
         ("ring", closed(vec![Piece::Sphere(origin, 1.0), Piece::Sphere(origin, 2.0)])),
         ("star", closed(rings(&[star(&mut random, 15)]))),
     ]
@@ -41,7 +46,10 @@ fn every_point_is_a_medial_point() {
             let [a, b] = point.feet.map(|foot| sub(foot, point.center));
             assert!(a != b);
             for way in [a, b] {
-                assert!((dot(way, way).sqrt() - point.radius).abs() <= 2.0 * epsilon, "{name} {point:?}");
+                assert!(
+                    (dot(way, way).sqrt() - point.radius).abs() <= 2.0 * epsilon,
+                    "{name} {point:?}"
+                );
             }
             let cosine = dot(a, b) / (dot(a, a) * dot(b, b)).sqrt();
             assert!(cosine.clamp(-1.0, 1.0).acos() >= 0.3 - 1e-6, "{name} {point:?}");
@@ -85,12 +93,18 @@ fn no_point_beyond_the_bound_is_missed() {
 fn a_figure_shifted_and_turned_has_the_same_axis() {
     let ring = l_shape();
     let (sine, cosine) = 0.7f64.sin_cos();
-    let moved = |p: [f64; 2]| [10.0 + cosine * p[0] - sine * p[1], -3.0 + sine * p[0] + cosine * p[1]];
+    let moved =
+        |p: [f64; 2]| [10.0 + cosine * p[0] - sine * p[1], -3.0 + sine * p[0] + cosine * p[1]];
     let sites = closed(rings(&[ring.clone()]));
     let turned = closed(rings(&[ring.into_iter().map(moved).collect()]));
     let options = FieldOptions { density: 0.1, ..FieldOptions::default() };
     let (plain, turned) = (axis(&sites, options), axis(&turned, options));
-    let exact = MedialGraph::new(turned.sites(), GraphOptions { spacing: 0.01, ..Default::default() }, &Job::default()).unwrap();
+    let exact = MedialGraph::new(
+        turned.sites(),
+        GraphOptions { spacing: 0.01, ..Default::default() },
+        &Job::default(),
+    )
+    .unwrap();
     for point in plain.points() {
         let at = moved([point.center[0], point.center[1]]);
         let least = exact.points().iter().map(|p| distance(p.center, [at[0], at[1], 0.0]));

@@ -29,13 +29,15 @@ fn check_point(sites: &Sites, point: &medax::distance::MedialPoint, epsilon: f64
 #[test]
 fn a_circle_across_the_middle_of_a_strip_holds_a_medial_point() {
     let sites = closed(rings(&[rectangle(10.0, 2.0)]));
-    let found = sites.decide([5.0, 1.0, 0.0], 0.5, &directions(8, 0.1), DecideOptions::default()).unwrap();
+    let found =
+        sites.decide([5.0, 1.0, 0.0], 0.5, &directions(8, 0.1), DecideOptions::default()).unwrap();
     assert_eq!(found.test, Some(DecideTest::Opposite));
     let point = found.point.unwrap();
     assert!((point.center[1] - 1.0).abs() < 1e-6);
     assert!((point.object_angle - PI).abs() < 1e-5);
     // One that lies on one side of the middle holds none.
-    let none = sites.decide([5.0, 0.5, 0.0], 0.3, &directions(8, 0.1), DecideOptions::default()).unwrap();
+    let none =
+        sites.decide([5.0, 0.5, 0.0], 0.3, &directions(8, 0.1), DecideOptions::default()).unwrap();
     assert_eq!((none.test, none.point), (None, None));
     assert!(none.gap > 0.0 && none.theta.len() >= 8);
 }
@@ -84,7 +86,10 @@ fn scattered(random: &mut Random) -> Arc<Sites> {
             0 => Piece::Point(random.flat(-1.0, 1.0)),
             _ => {
                 let a = random.flat(-1.0, 1.0);
-                Piece::Segment([a, [a[0] + random.within(-0.5, 0.5), a[1] + random.within(-0.5, 0.5), 0.0]])
+                Piece::Segment([
+                    a,
+                    [a[0] + random.within(-0.5, 0.5), a[1] + random.within(-0.5, 0.5), 0.0],
+                ])
             }
         })
         .collect();
@@ -136,12 +141,15 @@ fn what_an_undetermined_circle_misses_is_one_of_the_six_alternatives() {
         let axis = MedialGraph::new(&sites, options, &Job::default()).unwrap();
         for _ in 0..200 {
             let near = axis.points()[(random.unit() * axis.points().len() as f64) as usize].center;
-            let center = [near[0] + random.within(-0.2, 0.2), near[1] + random.within(-0.2, 0.2), 0.0];
+            let center =
+                [near[0] + random.within(-0.2, 0.2), near[1] + random.within(-0.2, 0.2), 0.0];
             let free = sites.nearest(&[center], &Job::default()).unwrap()[0].distance;
             let radius = random.within(0.1, 1.0) * free;
             let count = 8 + (random.unit() * 60.0) as usize;
             let units = directions(count, random.within(0.0, TAU));
-            let Ok(found) = sites.decide(center, radius, &units, DecideOptions::default()) else { continue };
+            let Ok(found) = sites.decide(center, radius, &units, DecideOptions::default()) else {
+                continue;
+            };
             if found.test.is_some() || found.gap >= 2.0 * radius {
                 continue;
             }
@@ -151,7 +159,8 @@ fn what_an_undetermined_circle_misses_is_one_of_the_six_alternatives() {
                 let (Some(a), Some(b)) = (a, b) else { continue };
                 missed += 1;
                 let gap = found.gap;
-                let others = [point.radius < 2.0 * gap, a[0] < gap, b[0] < gap, a[1] < gap, b[1] < gap];
+                let others =
+                    [point.radius < 2.0 * gap, a[0] < gap, b[0] < gap, a[1] < gap, b[1] < gap];
                 if others.contains(&true) {
                     continue;
                 }
@@ -165,7 +174,9 @@ fn what_an_undetermined_circle_misses_is_one_of_the_six_alternatives() {
     // The bound is not idle: points are missed under the second alternative alone, and come near it.
     assert!(missed > 1000 && covered > 0, "{missed} {covered}");
     assert!(closest > 0.3, "{closest}");
-    println!("{circles} circles, {missed} points missed, {covered} with nothing but the angle; the nearest at {closest:.3} of the bound");
+    println!(
+        "{circles} circles, {missed} points missed, {covered} with nothing but the angle; the nearest at {closest:.3} of the bound"
+    );
 }
 
 #[test]

@@ -128,25 +128,37 @@ impl Envelope<'_> {
         if v - u <= SHORT || depth >= DEPTH {
             return breaks.extend(self.break_at(feature, 0.5 * (u + v)));
         }
-        let middle = between.map_or(0.5 * (u + v), |(middle, _)| middle);
-        let touch = self.touch(feature, middle);
-        if let (Some((_, radius)), Some(touch)) = (between, touch) {
-            // Nothing else touches the ball that both touch.
-            if touch.point.radius >= radius * (1.0 - 1e-12) {
-                let Touch { point, .. } = touch;
-                let (center, radius) = (point.center, point.radius);
-                breaks.push(Break { u: middle, center, radius });
+        let mut middle = 0.5 * (u + v);
+        let mut touch = None;
+        if let Some((meeting, radius)) = between {
+            let met = self.touch(feature, meeting);
+            if let Some(point) = met.map(|touch| touch.point)
+                && (point.radius - radius).abs() <= 1e-12 * radius
+                && [before, after].iter().all(|&other| self.touches(&point, other))
+            {
+                breaks.push(Break { u: meeting, center: point.center, radius: point.radius });
                 return;
             }
+            // Something else is in between, unless only the lines that bear both meet here.
+            let is_new = |touch: &Touch| {
+                [before, after].iter().flatten().all(|other| other.0 != touch.opposite.0)
+            };
+            if let Some(met) = met.filter(|met| is_new(met) && u < meeting && meeting < v) {
+                (middle, touch) = (meeting, Some(met));
+            }
         }
-        let opposite = touch.map(|touch| touch.opposite);
+        let opposite = touch.or_else(|| self.touch(feature, middle)).map(|touch| touch.opposite);
         let blind = blind + usize::from(opposite.is_none());
-        // A meeting at an end of what is left would be found again and again.
-        if !(u < middle && middle < v) {
-            return breaks.extend(self.break_at(feature, middle));
-        }
         self.divide(feature, low, (middle, opposite), [depth + 1, blind], breaks);
         self.divide(feature, (middle, opposite), high, [depth + 1, blind], breaks);
+    }
+
+    /// Whether a ball touches a feature itself, and not only the line that bears it.
+    fn touches(&self, ball: &MedialPoint, other: Option<(u32, f64)>) -> bool {
+        other.is_some_and(|(other, _)| {
+            let distance = self.walks.features[other as usize].distance(ball.center);
+            distance <= ball.radius * (1.0 + 1e-10)
+        })
     }
 
     fn break_at(&self, feature: usize, u: f64) -> Option<Break> {

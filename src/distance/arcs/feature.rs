@@ -1,7 +1,11 @@
 //! The features of a boundary in the plane: sides of segments, fans round corners and points, sides of circles.
 
+use crate::distance::closest::on_segment;
 use crate::vector::{Vec3, add, cross, dot, length, scale, sub};
 use std::f64::consts::TAU;
+
+/// More than angles err.
+const ROUNDING: f64 = 1e-9;
 
 /// A part of a boundary as seen from the region on its left, with a place on it for each number from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,6 +63,26 @@ impl Feature {
                 let turned = angle(sub(p, center)) / TAU;
                 (if is_inside { turned } else { -turned }).rem_euclid(1.0)
             }
+        }
+    }
+
+    /// Whether a point lies in the sector of a fan, or next to it but for rounding.
+    pub fn is_seen_from(&self, p: Vec3) -> bool {
+        match *self {
+            Feature::Fan { at, first, turn } => {
+                let back = (first - angle(sub(p, at))).rem_euclid(TAU);
+                back <= turn + ROUNDING || back >= TAU - ROUNDING
+            }
+            Feature::Side { .. } | Feature::Circle { .. } => true,
+        }
+    }
+
+    /// How far away a point is.
+    pub fn distance(&self, p: Vec3) -> f64 {
+        match *self {
+            Feature::Side { ends: [a, b] } => length(sub(p, on_segment(p, a, b))),
+            Feature::Fan { at, .. } => length(sub(p, at)),
+            Feature::Circle { center, radius, .. } => (length(sub(p, center)) - radius).abs(),
         }
     }
 

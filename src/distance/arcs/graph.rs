@@ -238,13 +238,13 @@ impl Maker<'_> {
             |position: Position| Some((position, self.envelope.touch_of(walk, position)?.point));
         let [begin, end] = side.span;
         let mut places: Vec<(Position, MedialPoint)> = Vec::new();
-        // Ends of features are where an arc bends; the nodes themselves are added later.
-        let inner = (begin.floor() as i64 + 1..end.ceil() as i64).map(|i| i as f64);
-        let stops = [begin + 1e-9 * (end - begin)]
-            .into_iter()
-            .chain(inner)
-            .chain([end - 1e-9 * (end - begin)]);
-        for stop in stops.filter_map(at) {
+        // Ends of features are where an arc bends, and what comes back to where it began is seen from between; the nodes themselves are added later.
+        let bends = (begin.floor() as i64 + 1..end.ceil() as i64).map(|i| i as f64);
+        let between = [1e-9, 0.25, 0.5, 0.75, 1.0 - 1e-9].map(|t| begin + t * (end - begin));
+        let mut stops: Vec<Position> = bends.chain(between).collect();
+        stops.sort_by(f64::total_cmp);
+        stops.dedup();
+        for stop in stops.into_iter().filter_map(at) {
             if let Some(&last) = places.last() {
                 self.divide(walk, last, stop, 0, &mut places);
             }

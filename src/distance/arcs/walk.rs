@@ -169,9 +169,12 @@ impl Walks {
         let begin = self.fans.partition_point(|(p, _)| order(p, &foot).is_lt());
         let fans = self.fans[begin..].iter().take_while(|(p, _)| *p == foot);
         let with = |number: u32| (number, self.features[number as usize].number(center));
-        let seen = fans.map(|&(_, number)| with(number)).find(|&(_, u)| u > 0.0 && u < 1.0);
-        if seen.is_some() {
-            return seen;
+        let seen = fans.map(|&(_, number)| number).find(|&number| {
+            // At its ends a fan goes on into sides, and either is as good.
+            self.features[number as usize].is_seen_from(center)
+        });
+        if let Some(fan) = seen {
+            return Some(with(fan));
         }
         let [first, second] = self.of_piece[piece as usize];
         let is_second = match sites.pieces()[piece as usize] {
