@@ -202,6 +202,14 @@ enum medax_error_kind
      * An edge, from 0.
      */
     MEDAX_ERROR_KIND_EDGE = 8,
+    /**
+     * An open polyline of a figure, from 0.
+     */
+    MEDAX_ERROR_KIND_POLYLINE = 9,
+    /**
+     * A circle of a figure, from 0.
+     */
+    MEDAX_ERROR_KIND_CIRCLE = 10,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -293,6 +301,11 @@ typedef struct medax_complex medax_complex;
  * The Voronoi or power diagram that is dual to a triangulation.
  */
 typedef struct medax_dual medax_dual;
+
+/**
+ * Polygons with holes, open polylines, points and circles in the plane.
+ */
+typedef struct medax_figure medax_figure;
 
 /**
  * What a file holds, before points or a complex are made of it.
@@ -4367,7 +4380,397 @@ MEDAX_API const medax_complex *medax_complex_clone(const medax_complex *complex)
  */
 MEDAX_API void medax_complex_free(const medax_complex *complex);
 
-/* ---- 23. Topology -----------------------------------------------------------------------------
+/* ---- 23. Figures ------------------------------------------------------------------------------
+ *
+ * Curves and points in the plane: polygons with holes, open polylines, points, circles.
+ *
+ * The chains of a figure are the rings of its polygons, the polylines, the points, in this order and each in the order in which
+ * they were given; circles stand apart. Parts are numbered alike: the polygons, the polylines, the points, the circles. Outer
+ * rings end up counterclockwise, holes clockwise. Whether curves cross is decided exactly. Coordinates must be 0 or have an absolute value
+ * from 2^-160 to 2^200.
+ */
+
+/**
+ * What a chain of a figure is.
+ */
+enum medax_chain_kind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * The outer ring of a polygon: an edge from each vertex to the next, and from the last to the first.
+     */
+    MEDAX_CHAIN_KIND_OUTER = 0,
+    /**
+     * A hole of a polygon, a ring like the outer one.
+     */
+    MEDAX_CHAIN_KIND_HOLE = 1,
+    /**
+     * An open polyline: an edge from each vertex to the next.
+     */
+    MEDAX_CHAIN_KIND_POLYLINE = 2,
+    /**
+     * A single vertex.
+     */
+    MEDAX_CHAIN_KIND_POINT = 3,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum medax_chain_kind medax_chain_kind;
+#else
+typedef uint32_t medax_chain_kind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * What becomes of curves that cross or touch, and of polygons in the wrong place.
+ */
+enum medax_crossings
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * They are an error.
+     */
+    MEDAX_CROSSINGS_REFUSE = 0,
+    /**
+     * They are counted. What is inside is then where a ray crosses rings and circles an odd number of times.
+     */
+    MEDAX_CROSSINGS_ACCEPT = 1,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum medax_crossings medax_crossings;
+#else
+typedef uint32_t medax_crossings;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * The arrays from which #medax_figure_create makes a figure. Each may be NULL if its count is 0; the defaults are nothing at all,
+ * and crossings refused.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * `ring_vertex_count` x 2 coordinates: one ring after the other. A ring may end with its first vertex or not, and
+     * turn either way.
+     */
+    const double *ring_vertices;
+    /**
+     * The number of vertices of all rings.
+     */
+    size_t ring_vertex_count;
+    /**
+     * `ring_count + 1` rows of `ring_vertices`: where each ring begins, the first at 0, and the end.
+     */
+    const uint32_t *ring_offsets;
+    /**
+     * The number of rings.
+     */
+    size_t ring_count;
+    /**
+     * `polygon_count + 1` rings: where the rings of each polygon begin, the outer ring first, then the holes; and the end.
+     */
+    const uint32_t *polygon_offsets;
+    /**
+     * The number of polygons.
+     */
+    size_t polygon_count;
+    /**
+     * `polyline_vertex_count` x 2 coordinates: one polyline after the other.
+     */
+    const double *polyline_vertices;
+    /**
+     * The number of vertices of all polylines.
+     */
+    size_t polyline_vertex_count;
+    /**
+     * `polyline_count + 1` rows of `polyline_vertices`: where each polyline begins, and the end.
+     */
+    const uint32_t *polyline_offsets;
+    /**
+     * The number of polylines.
+     */
+    size_t polyline_count;
+    /**
+     * `point_count` x 2 coordinates.
+     */
+    const double *points;
+    /**
+     * The number of points.
+     */
+    size_t point_count;
+    /**
+     * `circle_count` x 3: the centre's coordinates and the radius.
+     */
+    const double *circles;
+    /**
+     * The number of circles.
+     */
+    size_t circle_count;
+    /**
+     * A #medax_crossings.
+     */
+    uint32_t crossings;
+    /**
+     * Must be 0.
+     */
+    uint32_t reserved;
+} medax_figure_parts;
+
+/**
+ * Which features of a file make up a figure, and what becomes of crossings.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * The features of which the `id`, or one of the properties `name`, `NAME`, `glyph` and `id`, is this text, or a number written so;
+     * UTF-8. NULL, the default: any name.
+     */
+    const char *feature_name;
+    /**
+     * The number of a feature, from 0; `MEDAX_NONE`, the default, for any number. Not together with a name.
+     */
+    uint32_t feature_number;
+    /**
+     * A #medax_crossings.
+     */
+    uint32_t crossings;
+} medax_figure_read_options;
+
+/**
+ * What was changed and accepted when a figure was made. The caller sets `struct_size`, the library the rest.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * Rings whose last vertex repeated the first one, and was dropped.
+     */
+    uint64_t closing_vertices;
+    /**
+     * Vertices at the place of the one before, which were dropped.
+     */
+    uint64_t repeated_vertices;
+    /**
+     * Rings that turned the wrong way, and were turned.
+     */
+    uint64_t turned_rings;
+    /**
+     * Pairs of edges or circles that cross or touch. 0 unless crossings were accepted.
+     */
+    uint64_t crossings;
+    /**
+     * Rings and circles in a place where `MEDAX_CROSSINGS_REFUSE` does not have them. 0 unless crossings were accepted, and 0
+     * where anything crosses.
+     */
+    uint64_t misplaced;
+} medax_normalised;
+
+/**
+ * Sets figure parts to nothing.
+ *
+ * \param parts The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *parts`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_status medax_figure_parts_init(medax_figure_parts *parts, size_t struct_size);
+
+/**
+ * Makes a figure of the caller's arrays, which are copied.
+ *
+ * Vertices that repeat the one before are dropped, and so is the last one of a ring if it is the first again; rings are turned; -0
+ * becomes 0. Collinear vertices stay. Edges, of rings and polylines alike, and circles may have no point in common but the vertex between two
+ * edges of a chain and the ends that polylines share; holes must lie in their outer ring and in no other hole, and no polygon or disc in
+ * another, though in its hole it may; unless `crossings` accepts all that. Points may lie anywhere.
+ *
+ * \param parts The arrays.
+ * \param job NULL for a default job.
+ * \param out_figure Receives the figure, which the caller frees with #medax_figure_free.
+ * \return `MEDAX_STATUS_OK`; with the ring, counted over all polygons, the polyline, the row of the point, or the circle: `NON_FINITE`,
+ *         `COORDINATE_RANGE`, `TOO_FEW_POINTS` for a ring of fewer than three distinct vertices or a polyline of fewer than
+ *         two, `DEGENERATE` for a ring on a line, `INVALID_ARGUMENT` for what crosses, touches or lies in the wrong place, and for a
+ *         radius that is not greater than 0; `TOO_FEW_POINTS` for a figure without anything; `MISMATCH` for offsets that
+ *         do not end with their count, `INVALID_ARGUMENT` for others that make no sense; `LIMIT_EXCEEDED` past 2^32 - 2
+ *         vertices and circles; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(n log n + b) with b pairs of edges whose boxes meet. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_figure_create(const medax_figure_parts *parts,
+                                 const medax_job *job,
+                                 const medax_figure **out_figure);
+
+/**
+ * Sets the options for reading figures to their defaults: all features, crossings refused.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_figure_read_options_init(medax_figure_read_options *options,
+                                            size_t struct_size);
+
+/**
+ * Reads a figure from a GeoJSON file: polygons, lines as open polylines, points, and points of a feature with a property `radius`
+ * greater than 0 as circles.
+ *
+ * \param path_utf8 The path.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_figure Receives the figure, which the caller frees with #medax_figure_free.
+ * \return `MEDAX_STATUS_OK`; `FORMAT` with the line where the file is malformed; `INVALID_ARGUMENT` where no feature has the name or
+ *         number; `UNSUPPORTED` for another ending than `.geojson`; `IO`; and as #medax_figure_create, rings being
+ *         counted over the chosen features.
+ *
+ * O(size of the file), and as #medax_figure_create. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_figure_read(const char *path_utf8,
+                               const medax_figure_read_options *options,
+                               const medax_job *job,
+                               const medax_figure **out_figure);
+
+/**
+ * The vertices of a figure, chain by chain.
+ *
+ * \param figure The figure, or NULL.
+ * \return v x 2 coordinates, in input units. Borrowed from `figure`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_figure_vertices(const medax_figure *figure);
+
+/**
+ * The chains of a figure.
+ *
+ * \param figure The figure, or NULL.
+ * \return One row a chain: its vertices, numbers in succession. Borrowed from `figure`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_rows medax_figure_chains(const medax_figure *figure);
+
+/**
+ * What each chain of a figure is.
+ *
+ * \param figure The figure, or NULL.
+ * \return One row a chain: a #medax_chain_kind. Borrowed from `figure`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_figure_kinds(const medax_figure *figure);
+
+/**
+ * The part of each chain of a figure: a polygon, a polyline or a point.
+ *
+ * \param figure The figure, or NULL.
+ * \return One row a chain: a part, ascending. Borrowed from `figure`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_figure_parts_of_chains(const medax_figure *figure);
+
+/**
+ * The circles of a figure. Circle `i` of c is the part #medax_figure_part_count - c + i.
+ *
+ * \param figure The figure, or NULL.
+ * \return c x 3: the centre's coordinates and the radius. Borrowed from `figure`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_figure_circles(const medax_figure *figure);
+
+/**
+ * The number of parts of a figure: polygons, polylines, points and circles.
+ *
+ * \param figure The figure; NULL has none.
+ * \return The number of parts.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API size_t medax_figure_part_count(const medax_figure *figure);
+
+/**
+ * The smallest box round a figure, discs included; that of a disc is rounded outward.
+ *
+ * \param figure The figure.
+ * \param out_min Receives the two least coordinates.
+ * \param out_max Receives the two greatest coordinates.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_figure_bounds(const medax_figure *figure,
+                                 double *out_min,
+                                 double *out_max);
+
+/**
+ * Tells what was changed and accepted when a figure was made.
+ *
+ * \param figure The figure.
+ * \param out_report Receives the counts; its `struct_size` must be set.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_figure_normalised(const medax_figure *figure,
+                                     medax_normalised *out_report);
+
+/**
+ * Checks every invariant of a figure: its arrays, the turns of its rings, crossings, and where rings and circles lie.
+ *
+ * \param figure The figure.
+ * \param job NULL for a default job.
+ * \param out_report Receives the findings; its `struct_size` must be set.
+ * \return `MEDAX_STATUS_OK`, also where a problem was found; `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`, `BUSY`,
+ *         `OUT_OF_MEMORY`.
+ *
+ * O(n log n + b + r n) with b pairs of edges side by side and r rings and circles. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_figure_validate(const medax_figure *figure,
+                                   const medax_job *job,
+                                   medax_validation *out_report);
+
+/**
+ * One more reference to a figure.
+ *
+ * \param figure The figure, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_figure *medax_figure_clone(const medax_figure *figure);
+
+/**
+ * Gives one reference to a figure back; the last one frees it.
+ *
+ * \param figure The figure; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_figure_free(const medax_figure *figure);
+
+/* ---- 24. Topology -----------------------------------------------------------------------------
  *
  * What a complex is as a set of elements that share others, told from its indices alone: vertices
  * that merely lie at the same place are different vertices. And what its coordinates make of that: measures, triangles that intersect.
@@ -4574,7 +4977,7 @@ medax_status medax_complex_validate(const medax_complex *complex,
                                     const medax_job *job,
                                     medax_validation *out_report);
 
-/* ---- 24. Winding numbers ----------------------------------------------------------------------
+/* ---- 25. Winding numbers ----------------------------------------------------------------------
  *
  * How often the faces of a complex wind round a point: 1 inside a closed surface whose faces point out, 0 outside of it.
  * (Jacobson, Kavan, Sorkine-Hornung 2013, Robust inside-outside segmentation using generalized winding numbers.)
@@ -4604,7 +5007,7 @@ medax_status medax_complex_winding_numbers(const medax_complex *complex,
                                            const medax_job *job,
                                            double *out_numbers);
 
-/* ---- 25. Normals ------------------------------------------------------------------------------
+/* ---- 26. Normals ------------------------------------------------------------------------------
  *
  * The normals of a surface at its vertices.
  */
@@ -4634,7 +5037,7 @@ medax_status medax_complex_vertex_normals(const medax_complex *complex,
                                           size_t vertex_count,
                                           double *out_normals);
 
-/* ---- 26. Comparison ---------------------------------------------------------------------------
+/* ---- 27. Comparison ---------------------------------------------------------------------------
  *
  * How far two complexes are apart as sets of points: their faces, loose edges and cells, which are
  * solid; or their vertices, where they have none of these.
@@ -4731,7 +5134,7 @@ medax_status medax_complex_compare(const medax_complex *a,
                                    const medax_job *job,
                                    medax_comparison *out_report);
 
-/* ---- 27. Decimation ---------------------------------------------------------------------------
+/* ---- 28. Decimation ---------------------------------------------------------------------------
  *
  * Fewer triangles for the same surface.
  */
@@ -4790,7 +5193,7 @@ medax_status medax_complex_decimate(const medax_complex *complex,
                                     const medax_job *job,
                                     const medax_complex **out_decimated);
 
-/* ---- 28. Flattening ---------------------------------------------------------------------------
+/* ---- 29. Flattening ---------------------------------------------------------------------------
  *
  * Power shapes have tetrahedra, most of them flat: these collapse to their triangles, and the homotopy type stays.
  */
@@ -4899,12 +5302,12 @@ MEDAX_API const medax_flattened *medax_flattened_clone(const medax_flattened *fl
  */
 MEDAX_API void medax_flattened_free(const medax_flattened *flattened);
 
-/* ---- 29. File contents ------------------------------------------------------------------------
+/* ---- 30. File contents ------------------------------------------------------------------------
  *
  * What a file holds, before points or a complex are made of it. Reading trusts nothing, and an error
  * names the line of a text or the byte of a binary file. The ending of a path names the format:
  * PLY (text, binary), OFF, OBJ, STL (text, binary), XYZ, PTS, TXT and CSV (a row a line), PWN, MA
- * (medial meshes). Paths are UTF-8.
+ * (medial meshes). Plane figures are read by #medax_figure_read. Paths are UTF-8.
  */
 
 /**
@@ -5075,9 +5478,9 @@ MEDAX_API const medax_file *medax_file_clone(const medax_file *file);
  */
 MEDAX_API void medax_file_free(const medax_file *file);
 
-/* ---- 30. Reading and writing ------------------------------------------------------------------
+/* ---- 31. Reading and writing ------------------------------------------------------------------
  *
- * Written are PLY, OFF, OBJ, STL, XYZ, PTS, TXT, CSV, MA and VTU, by the ending of the path, to a
+ * Written are PLY, OFF, OBJ, STL, XYZ, PTS, TXT, CSV, MA, VTU, and GeoJSON for plane complexes, by the ending of the path, to a
  * file beside the given name, which is moved into place when it is complete: after an error, a file
  * that was there before is as it was.
  */
@@ -5226,7 +5629,7 @@ MEDAX_API const medax_warnings *medax_warnings_clone(const medax_warnings *warni
  */
 MEDAX_API void medax_warnings_free(const medax_warnings *warnings);
 
-/* ---- 31. Samples ------------------------------------------------------------------------------
+/* ---- 32. Samples ------------------------------------------------------------------------------
  *
  * Points of the surfaces of built-in shapes and of meshes, evenly spread: no two are nearer than
  * the spacing. The same options give the same points on every machine.

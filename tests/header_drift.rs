@@ -7,7 +7,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// The chapters of the header in order: the files of `src/capi`.
-const CHAPTERS: [&str; 31] = [
+const CHAPTERS: [&str; 32] = [
     "status",
     "handle",
     "view",
@@ -30,6 +30,7 @@ const CHAPTERS: [&str; 31] = [
     "core",
     "flow_complex",
     "complex",
+    "figure",
     "topology",
     "winding",
     "normals",

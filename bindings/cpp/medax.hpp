@@ -17,6 +17,7 @@
 #include <medax/points.hpp>
 #include <medax/complex.hpp>
 #include <medax/file.hpp>
+#include <medax/figure.hpp>
 #include <medax/triangulation.hpp>
 #include <medax/dual.hpp>
 #include <medax/poles.hpp>

@@ -9,7 +9,7 @@ libfuzzer_sys::fuzz_target!(|data: &[u8]| {
     let Ok(soup) = parse(data, Format::Ply, &job) else { return };
     let Ok(complex) = soup.into_complex() else { return };
     let Ok(folder) = tempfile::tempdir() else { return };
-    for ending in ["off", "obj", "stl", "xyz", "csv", "ma", "vtu"] {
+    for ending in ["off", "obj", "stl", "xyz", "csv", "ma", "vtu", "geojson"] {
         let path = folder.path().join("a").with_extension(ending);
         let _ = write_complex(path, &complex, WriteOptions::default(), &job);
     }

@@ -3,7 +3,7 @@
 //! What a file holds, before points or a complex are made of it. Reading trusts nothing, and an error
 //! names the line of a text or the byte of a binary file. The ending of a path names the format:
 //! PLY (text, binary), OFF, OBJ, STL (text, binary), XYZ, PTS, TXT and CSV (a row a line), PWN, MA
-//! (medial meshes). Paths are UTF-8.
+//! (medial meshes). Plane figures are read by #medax_figure_read. Paths are UTF-8.
 
 use super::attribute::{self, medax_attribute};
 use super::boundary;

@@ -105,6 +105,11 @@ pub struct medax_complex {
     pub(super) names: Vec<CString>,
 }
 
+/// Polygons with holes, open polylines, points and circles in the plane.
+pub struct medax_figure {
+    pub(super) figure: Arc<crate::Figure>,
+}
+
 /// The pairs of triangles of a complex that intersect.
 pub struct medax_intersections {
     pub(super) pairs: Vec<[u32; 2]>,
@@ -139,6 +144,7 @@ impl Handle for medax_medial {}
 impl Handle for medax_flow {}
 impl Handle for medax_flow_complex {}
 impl Handle for medax_complex {}
+impl Handle for medax_figure {}
 impl Handle for medax_intersections {}
 impl Handle for medax_flattened {}
 

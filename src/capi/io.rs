@@ -1,6 +1,6 @@
 //! Reading and writing
 //!
-//! Written are PLY, OFF, OBJ, STL, XYZ, PTS, TXT, CSV, MA and VTU, by the ending of the path, to a
+//! Written are PLY, OFF, OBJ, STL, XYZ, PTS, TXT, CSV, MA, VTU, and GeoJSON for plane complexes, by the ending of the path, to a
 //! file beside the given name, which is moved into place when it is complete: after an error, a file
 //! that was there before is as it was.
 

@@ -23,6 +23,7 @@ mod core;
 mod crust;
 mod decimate;
 mod dual;
+mod figure;
 mod file;
 mod flatten;
 mod flow;

@@ -97,6 +97,8 @@ pub(super) unsafe trait Number: Copy {}
 // SAFETY: fieldless and repr(u32).
 unsafe impl Number for crate::complex::CellType {}
 // SAFETY: fieldless and repr(u32).
+unsafe impl Number for crate::figure::ChainKind {}
+// SAFETY: fieldless and repr(u32).
 unsafe impl Number for crate::crust::Label {}
 // SAFETY: fieldless and repr(u32).
 unsafe impl Number for crate::flow::CriticalClass {}

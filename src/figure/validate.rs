@@ -232,3 +232,62 @@ fn swept(curves: &Curves<'_>, room: &mut Room<'_>, run: &Run<'_>) -> Result<Foun
     }
     Ok(found)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::{FigureOptions, FigureParts};
+
+    fn sound(options: FigureOptions) -> Figure {
+        let square =
+            |x: f64, side: f64| [[x, x], [x + side, x], [x + side, x + side], [x, x + side]];
+        let parts = FigureParts {
+            ring_vertices: &[square(0.0, 10.0), square(1.0, 8.0), square(2.0, 5.0)].concat(),
+            ring_offsets: &[0, 4, 8, 12],
+            polygon_offsets: &[0, 2, 3],
+            polyline_vertices: &[[20.0, 0.0], [21.0, 0.0], [21.0, 3.0]],
+            polyline_offsets: &[0, 3],
+            points: &[[5.0, 5.0]],
+            circles: &[[30.0, 30.0, 2.0]],
+        };
+        Figure::new(parts, options, &Job::default()).unwrap()
+    }
+
+    #[test]
+    fn what_is_broken_by_hand_is_noticed() {
+        let figure = sound(FigureOptions::default());
+        assert!(figure.validate(&Job::default()).unwrap().is_valid());
+        type Break = (ElementKind, u64, fn(&mut Figure));
+        let breaks: [Break; 19] = [
+            (ElementKind::Row, 5, |f| drop(f.kinds.pop())),
+            (ElementKind::Row, 5, |f| f.parts.push(9)),
+            (ElementKind::Vertex, 3, |f| f.vertices[3][0] = f64::NAN),
+            (ElementKind::Vertex, 0, |f| f.vertices[0][0] = -0.0),
+            (ElementKind::Circle, 0, |f| f.circles[0][2] = -1.0),
+            (ElementKind::Row, 0, |f| f.bounds.max[0] += 1.0),
+            (ElementKind::Ring, 0, |f| f.kinds[0] = ChainKind::Hole),
+            (ElementKind::Ring, 2, |f| f.parts[2] = 0),
+            (ElementKind::Ring, 1, |f| f.kinds[1] = ChainKind::Outer),
+            (ElementKind::Ring, 4, |f| f.kinds[3] = ChainKind::Point),
+            (ElementKind::Ring, 0, |f| f.vertices[1] = f.vertices[0]),
+            (ElementKind::Ring, 0, |f| f.vertices[..4].reverse()),
+            (ElementKind::Ring, 1, |f| f.vertices[4..8].reverse()),
+            (ElementKind::Edge, 0, |f| f.vertices[2] = [5.0, 0.5]),
+            (ElementKind::Edge, 0, |f| f.vertices[4] = [5.0, 0.0]),
+            (ElementKind::Edge, 12, |f| f.vertices[13] = [28.5, 30.0]),
+            // In the polygon, not in its hole any more.
+            (ElementKind::Ring, 2, |f| {
+                f.vertices[8..12].iter_mut().for_each(|p| *p = p.map(|x| 0.1 * x + 0.3))
+            }),
+            (ElementKind::Edge, 0, |f| f.normalised.crossings = 1),
+            (ElementKind::Row, 0, |f| f.normalised.misplaced = 1),
+        ];
+        for (i, (kind, index, break_it)) in breaks.into_iter().enumerate() {
+            let mut broken = figure.clone();
+            break_it(&mut broken);
+            let report = broken.validate(&Job::default()).unwrap();
+            let (found, at, message) = report.first.unwrap_or_else(|| panic!("break {i}"));
+            assert_eq!((found, at), (kind, index), "break {i}: {message}");
+        }
+    }
+}

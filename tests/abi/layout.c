@@ -75,6 +75,39 @@ FIELD(medax_complex_parts, attribute_count, 104);
 FIELD(medax_complex_parts, dimension, 112);
 FIELD(medax_complex_parts, reserved, 116);
 
+SIZE(medax_figure_parts, 128);
+FIELD(medax_figure_parts, struct_size, 0);
+FIELD(medax_figure_parts, ring_vertices, 8);
+FIELD(medax_figure_parts, ring_vertex_count, 16);
+FIELD(medax_figure_parts, ring_offsets, 24);
+FIELD(medax_figure_parts, ring_count, 32);
+FIELD(medax_figure_parts, polygon_offsets, 40);
+FIELD(medax_figure_parts, polygon_count, 48);
+FIELD(medax_figure_parts, polyline_vertices, 56);
+FIELD(medax_figure_parts, polyline_vertex_count, 64);
+FIELD(medax_figure_parts, polyline_offsets, 72);
+FIELD(medax_figure_parts, polyline_count, 80);
+FIELD(medax_figure_parts, points, 88);
+FIELD(medax_figure_parts, point_count, 96);
+FIELD(medax_figure_parts, circles, 104);
+FIELD(medax_figure_parts, circle_count, 112);
+FIELD(medax_figure_parts, crossings, 120);
+FIELD(medax_figure_parts, reserved, 124);
+
+SIZE(medax_figure_read_options, 24);
+FIELD(medax_figure_read_options, struct_size, 0);
+FIELD(medax_figure_read_options, feature_name, 8);
+FIELD(medax_figure_read_options, feature_number, 16);
+FIELD(medax_figure_read_options, crossings, 20);
+
+SIZE(medax_normalised, 48);
+FIELD(medax_normalised, struct_size, 0);
+FIELD(medax_normalised, closing_vertices, 8);
+FIELD(medax_normalised, repeated_vertices, 16);
+FIELD(medax_normalised, turned_rings, 24);
+FIELD(medax_normalised, crossings, 32);
+FIELD(medax_normalised, misplaced, 40);
+
 SIZE(medax_view_u8, 24);
 FIELD(medax_view_u8, data, 0);
 FIELD(medax_view_u8, rows, 8);

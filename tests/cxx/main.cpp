@@ -1,5 +1,5 @@
 // The C++ layer: references, exceptions, views, the progress function.
-#include <medax.hpp>
+#include "check.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -7,30 +7,10 @@
 #include <thread>
 
 medax::Triangulation triangulate_elsewhere(const medax::Points &points);
+/// figures.cpp
+void figures();
 
 namespace {
-
-unsigned passed = 0, failed = 0;
-
-void check(bool holds, const char *what, int line) {
-    ++(holds ? passed : failed);
-    if (!holds) std::printf("main.cpp:%d: failed: %s\n", line, what);
-}
-#define CHECK(condition) check((condition), #condition, __LINE__)
-
-/// The error that the call throws; the call must throw one.
-template <class Call>
-medax::Error thrown(Call &&call, int line) {
-    try {
-        call();
-    } catch (const medax::Error &error) {
-        check(true, "throws", line);
-        return error;
-    }
-    check(false, "throws", line);
-    return medax::Error(MEDAX_STATUS_OK);
-}
-#define THROWN(...) thrown([&] { __VA_ARGS__; }, __LINE__)
 
 std::vector<medax::Point> cloud(std::size_t count) {
     std::uint64_t state = 1;
@@ -512,6 +492,7 @@ int main() {
     intersections();
     crusts();
     shapes();
+    figures();
     threads();
     std::printf("%u passed, %u failed\n", passed, failed);
     return failed == 0 ? 0 : 1;
