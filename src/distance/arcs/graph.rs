@@ -85,16 +85,17 @@ impl MedialGraph {
         let envelope = Envelope { search: sites.search(exact)?, walks: &walks, rim };
         let found = envelope.arc_sides(1e-9 * size, &mut room, run)?;
         let maker = Maker { envelope, options, spacing, nodes: &found.nodes, sites };
-        let numbered = (0..).zip(&found.sides);
+        let chosen = maker.on_side((0..).zip(&found.sides).collect(), run)?;
+        let torn = chosen.iter().filter(|(_, side)| !side.agrees).count();
         // An arc has two sides; a loop that is its own opposite is a point.
-        let is_first = |&(i, side): &(u32, &ArcSide)| side.partner == NONE || i <= side.partner;
-        let chosen: Vec<&ArcSide> = numbered.filter(is_first).map(|(_, side)| side).collect();
-        let chosen = maker.on_side(chosen, run)?;
+        let is_first = |&(i, side): &(u32, &ArcSide)| !side.agrees || i <= side.partner;
+        let chosen: Vec<&ArcSide> =
+            chosen.into_iter().filter(is_first).map(|(_, side)| side).collect();
         let lines = run.in_parallel(chosen.chunks(16).collect(), |sides| {
             run.poll()?;
-            Ok(sites_lines(&maker, sides))
+            Ok(sides.iter().flat_map(|side| maker.lines(side)).collect::<Vec<_>>())
         })?;
-        maker.join(lines.into_iter().flatten(), found.torn, &mut room, run)
+        maker.join(lines.into_iter().flatten(), torn, &mut room, run)
     }
 
     /// What the boundary was.
@@ -197,31 +198,26 @@ struct Maker<'a> {
     sites: &'a Arc<Sites>,
 }
 
-fn sites_lines(maker: &Maker<'_>, sides: &[&ArcSide]) -> Vec<Line> {
-    sides.iter().flat_map(|side| maker.lines(side)).collect()
-}
-
 impl Maker<'_> {
     /// The sides of arcs that are on the side that was asked for.
-    fn on_side<'b>(&self, sides: Vec<&'b ArcSide>, run: &Run<'_>) -> Result<Vec<&'b ArcSide>> {
+    fn on_side<'b>(
+        &self,
+        sides: Vec<(u32, &'b ArcSide)>,
+        run: &Run<'_>,
+    ) -> Result<Vec<(u32, &'b ArcSide)>> {
         if self.options.side == Side::Both {
             return Ok(sides);
         }
-        let middle = |side: &&ArcSide| {
-            let touch = self
-                .envelope
-                .touch_of(self.envelope.walk_of(side), 0.5 * (side.span[0] + side.span[1]));
+        let middle = |(_, side): &(u32, &ArcSide)| {
+            let [begin, end] = side.span;
+            let touch = self.envelope.touch_of(self.envelope.walk_of(side), 0.5 * (begin + end));
             touch.map_or([f64::MAX; 3], |touch| touch.point.center)
         };
         let middles: Vec<_> = sides.iter().map(middle).collect();
         let is_inside = self.sites.is_inside_in(&middles, run)?;
         let wanted = self.options.side == Side::Inner;
-        Ok(sides
-            .into_iter()
-            .zip(is_inside)
-            .filter(|(_, is)| *is == wanted)
-            .map(|(s, _)| s)
-            .collect())
+        let here = sides.into_iter().zip(is_inside).filter(|&(_, is_inside)| is_inside == wanted);
+        Ok(here.map(|(side, _)| side).collect())
     }
 
     fn passes(&self, point: &MedialPoint) -> bool {

@@ -29,17 +29,17 @@ pub(super) struct ArcSide {
     pub nodes: [u32; 2],
     /// The side of the same arc that is opposite.
     pub partner: u32,
+    /// Whether that has this one opposite.
+    pub agrees: bool,
 }
 
 /// All sides of arcs, and the nodes.
 ///
-/// Invariants: sides of a walk follow one another; the partner of a side's partner is the side.
+/// Invariants: sides of a walk follow one another; the partner of a side's partner is the side, unless rounding has got the better of it, or the rim cuts the arc.
 #[derive(Clone, Debug, Default)]
 pub(super) struct ArcSides {
     pub nodes: Vec<Node>,
     pub sides: Vec<ArcSide>,
-    /// How many sides have none opposite that agrees; 0 unless rounding has got the better of it.
-    pub torn: usize,
 }
 
 /// A node of a walk.
@@ -107,16 +107,24 @@ impl Envelope<'_> {
             let length = walk.len() as f64;
             if contacts.is_empty() {
                 let begin = walk.start as f64;
-                let side =
-                    ArcSide { span: [begin, begin + length], nodes: [NONE; 2], partner: NONE };
+                let side = ArcSide {
+                    span: [begin, begin + length],
+                    nodes: [NONE; 2],
+                    partner: NONE,
+                    agrees: false,
+                };
                 room.push(&mut found.sides, side)?;
                 continue;
             }
             for (i, from) in contacts.iter().enumerate() {
                 let to = contacts[(i + 1) % contacts.len()];
                 let end = if i + 1 < contacts.len() { to.at } else { to.at + length };
-                let side =
-                    ArcSide { span: [from.at, end], nodes: [from.node, to.node], partner: NONE };
+                let side = ArcSide {
+                    span: [from.at, end],
+                    nodes: [from.node, to.node],
+                    partner: NONE,
+                    agrees: false,
+                };
                 // What two breaks at one node leave between them is nothing, or beyond the rim.
                 let is_nothing = from.node == to.node
                     && self.touch_at(0.5 * (from.at + end)).is_none_or(|touch| {
@@ -178,13 +186,11 @@ impl Envelope<'_> {
             .map(|touch| self.side_at(&found.sides, touch.opposite).unwrap_or(NONE))
             .collect();
         let mut new = Vec::new();
-        found.torn = 0;
         for (i, touch) in middles.iter().enumerate() {
             let partner = partners[i];
             let agrees = partner != NONE && partners[partner as usize] == i as u32;
-            found.sides[i].partner = partner;
+            (found.sides[i].partner, found.sides[i].agrees) = (partner, agrees);
             if !agrees {
-                found.torn += 1;
                 let side = &found.sides[i];
                 let (feature, u) =
                     self.unwound(self.walk_of(side), 0.5 * (side.span[0] + side.span[1]));
