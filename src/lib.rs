@@ -18,6 +18,7 @@ pub mod capi;
 pub mod cocone;
 pub mod complex;
 pub mod crust;
+pub mod distance;
 pub mod dual;
 mod error;
 pub mod figure;

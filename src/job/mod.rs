@@ -59,10 +59,12 @@ pub enum Stage {
     Medial = 15,
     /// Following the flow of the distance to the samples.
     Flow = 16,
+    /// Sampling the distance to sites.
+    Field = 17,
 }
 
 /// Every stage, by number.
-const STAGES: [Stage; 17] = [
+const STAGES: [Stage; 18] = [
     Stage::Idle,
     Stage::Read,
     Stage::Order,
@@ -80,6 +82,7 @@ const STAGES: [Stage; 17] = [
     Stage::Decimate,
     Stage::Medial,
     Stage::Flow,
+    Stage::Field,
 ];
 
 impl Stage {
@@ -109,6 +112,7 @@ impl Stage {
             Stage::Decimate => c"decimate",
             Stage::Medial => c"medial",
             Stage::Flow => c"flow",
+            Stage::Field => c"field",
         }
     }
 }

@@ -1,0 +1,25 @@
+//! Distances to sites, and the medial axis read off their gradient (Stolpner, Whitesides, *Medial axis approximation with bounded error*). See
+//! `docs/algorithms/distance.md`.
+
+mod arcs;
+mod bound;
+mod closest;
+mod decide;
+mod field;
+mod locate;
+mod nearest;
+mod piece;
+mod plane;
+mod side;
+mod sites;
+mod space;
+mod tree;
+
+pub use arcs::{GraphOptions, MedialGraph};
+pub use bound::largest_missed_angle;
+pub use decide::{DecideOptions, DecideTest, Decision};
+pub use field::{Cover, FieldAxis, FieldOptions};
+pub use locate::MedialPoint;
+pub use nearest::AllNearest;
+pub use piece::Piece;
+pub use sites::{Nearest, Sites};

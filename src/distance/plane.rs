@@ -1,0 +1,218 @@
+//! APPROXMA2D: the plane covered with overlapping circles (Stolpner, Whitesides, section VI).
+
+use super::bound::{largest_missed_angle, samples_for};
+use super::decide::Ball;
+use super::field::{Cover, FieldAxis, FieldOptions};
+use super::locate::{MedialPoint, Search};
+use super::sites::Sites;
+use crate::error::{Error, Result, Status};
+use crate::job::{Room, Run};
+use crate::medial::Side;
+use crate::vector::Vec3;
+use std::f64::consts::{PI, SQRT_2, TAU};
+use std::sync::Arc;
+
+/// The squares that one thread looks at between two reports.
+const BATCH: usize = 64;
+/// How often a square is divided further where what was found did not pass the thresholds.
+const REFINED: u32 = 4;
+/// The most squares at once.
+const LIMIT: usize = 1 << 28;
+
+/// A square that is still to be looked at.
+#[derive(Clone, Copy, Debug)]
+struct Square {
+    center: Vec3,
+    half: f64,
+    /// How often it was divided for better points.
+    refined: u32,
+}
+
+/// What became of a square.
+enum Fate {
+    Nothing,
+    Divided(Square),
+    Covered(Cover, Vec<MedialPoint>, usize),
+}
+
+pub(super) fn axis(sites: &Arc<Sites>, options: FieldOptions, run: &Run<'_>) -> Result<FieldAxis> {
+    let samples = match options.samples {
+        0 => samples_for(options.bound),
+        samples => samples,
+    };
+    let options = FieldOptions { samples, ..options };
+    let directions: Vec<Vec3> = (0..samples)
+        .map(|i| TAU * i as f64 / samples as f64)
+        .map(|angle| [libm::cos(angle), libm::sin(angle), 0.0])
+        .collect();
+    let plane = Plane { search: sites.search(options.decide)?, options, directions };
+    let mut room = Room::new(run);
+    let mut axis = FieldAxis {
+        sites: sites.clone(),
+        options,
+        points: Vec::new(),
+        cover_of_point: Vec::new(),
+        covers: Vec::new(),
+        unconfirmed: 0,
+    };
+    let mut squares = plane.whole();
+    while !squares.is_empty() {
+        let centers: Vec<Vec3> = squares.iter().map(|square| square.center).collect();
+        let is_inside = match options.side {
+            Side::Both => vec![true; squares.len()],
+            _ => sites.is_inside_in(&centers, run)?,
+        };
+        let parts: Vec<_> = squares.chunks(BATCH).zip(is_inside.chunks(BATCH)).collect();
+        let fates = run.in_parallel(parts, |(squares, is_inside)| {
+            run.poll()?;
+            let fate = |(square, &is_inside): (&Square, &bool)| {
+                let is_here = match options.side {
+                    Side::Outer => !is_inside,
+                    Side::Inner | Side::Both => is_inside,
+                };
+                plane.fate(*square, is_here)
+            };
+            Ok(squares.iter().zip(is_inside).map(fate).collect::<Vec<_>>())
+        })?;
+        let mut next = Vec::new();
+        for fate in fates.into_iter().flatten() {
+            match fate {
+                Fate::Nothing => {}
+                Fate::Divided(square) => {
+                    room.grow(&mut next, 4)?;
+                    next.extend(square.quarters());
+                }
+                Fate::Covered(cover, points, unconfirmed) => {
+                    let number = axis.covers.len() as u32;
+                    room.push(&mut axis.covers, cover)?;
+                    for point in points {
+                        room.push(&mut axis.points, point)?;
+                        room.push(&mut axis.cover_of_point, number)?;
+                    }
+                    axis.unconfirmed += unconfirmed;
+                }
+            }
+        }
+        if next.len() > LIMIT || axis.covers.len() > LIMIT {
+            let message = "the density or the least distance asks for more than 2^28 circles";
+            return Err(Error::new(Status::LimitExceeded, message));
+        }
+        squares = next;
+    }
+    Ok(axis)
+}
+
+impl Square {
+    fn quarters(self) -> [Square; 4] {
+        let half = 0.5 * self.half;
+        [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]].map(|[x, y]| Square {
+            center: [self.center[0] + x * half, self.center[1] + y * half, 0.0],
+            half,
+            refined: self.refined,
+        })
+    }
+
+    fn holds(&self, p: Vec3) -> bool {
+        (0..2).all(|k| (p[k] - self.center[k]).abs() <= self.half)
+    }
+}
+
+struct Plane<'a> {
+    search: Search<'a>,
+    options: FieldOptions,
+    directions: Vec<Vec3>,
+}
+
+impl Plane<'_> {
+    /// The box to look at, as squares in a row.
+    fn whole(&self) -> Vec<Square> {
+        let Some([min, max]) = self.options.clip else { return Vec::new() };
+        let (width, height) = (max[0] - min[0], max[1] - min[1]);
+        // A box without width may still have a boundary to look at.
+        let half = (0.5 * width.min(height)).max(0.5 * width.max(height) / 1024.0);
+        let count = |extent: f64| ((0.5 * extent / half).ceil() as usize).max(1);
+        let (columns, rows) = (count(width), count(height));
+        let center = |i: usize, j: usize| {
+            [min[0] + half * (2 * i + 1) as f64, min[1] + half * (2 * j + 1) as f64, 0.0]
+        };
+        let places = (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j)));
+        places.map(|(i, j)| Square { center: center(i, j), half, refined: 0 }).collect()
+    }
+
+    /// Drops a square, divides it, or looks at the circle round it.
+    ///
+    /// The circle must fit theorem 10 for every point p of the square that is as far from the boundary as is asked for: p lies in the hull of Theta, both ways from p to its nearest
+    /// points leave the hull at L or more from p, and at L or more from these points; d >= 2L; and the bound on the object angle is the one that was asked for. With N points evenly
+    /// spread L is at most 2 pi R / N, and the hull holds the circle of radius R cos(pi / N).
+    fn fate(&self, square: Square, is_here: bool) -> Fate {
+        let FieldOptions { density, min_distance, bound, samples, .. } = self.options;
+        let foot = self.search.sites.foot(square.center);
+        let distance = foot.distance_squared.sqrt();
+        let reach = square.half * SQRT_2;
+        if distance + reach < min_distance {
+            return Fate::Nothing;
+        }
+        // No boundary comes into the square: all of it is on one side.
+        if distance > reach && !is_here {
+            return Fate::Nothing;
+        }
+        let turn = PI / samples as f64;
+        let radius = reach / (libm::cos(turn) - 2.0 * turn);
+        let gap = 2.0 * turn * radius;
+        // The least distance of a point that the claim is for.
+        let least = (distance - reach).max(min_distance);
+        let missed = largest_missed_angle(gap, radius, least);
+        let fits = distance >= radius + gap
+            && 2.0 * radius <= density
+            && missed.is_some_and(|angle| angle <= bound);
+        if !fits {
+            return Fate::Divided(square);
+        }
+        let mut found: Vec<MedialPoint> = Vec::new();
+        let ball = Ball { center: square.center, radius };
+        let decision = self.search.examine(ball, &self.directions, |_, point| {
+            found.push(point);
+            true
+        });
+        let has_any = !found.is_empty();
+        found.retain(|p| p.object_angle >= self.options.angle && p.radius >= min_distance);
+        if has_any && found.is_empty() && square.refined < REFINED {
+            return Fate::Divided(Square { refined: square.refined + 1, ..square });
+        }
+        let found = chosen(found, &square);
+        let missed_angle = match (has_any, found.is_empty()) {
+            (true, true) => PI,
+            (true, false) => 0.0,
+            (false, _) => missed.unwrap_or(PI),
+        };
+        let cover = Cover {
+            center: square.center,
+            radius,
+            half: square.half,
+            gap: decision.gap,
+            distance,
+            found: found.len() as u32,
+            missed_angle,
+        };
+        Fate::Covered(cover, found, decision.unconfirmed)
+    }
+}
+
+/// Of the points of a circle one for each pair of pieces, that with the largest object angle; those in the square, and others only if there are none.
+fn chosen(mut found: Vec<MedialPoint>, square: &Square) -> Vec<MedialPoint> {
+    let pair = |point: &MedialPoint| {
+        let [a, b] = point.pieces;
+        [a.min(b), a.max(b)]
+    };
+    let is_out = |point: &MedialPoint| !square.holds(point.center);
+    found.sort_by(|p, q| {
+        let angles = || q.object_angle.total_cmp(&p.object_angle);
+        let centers = || p.center.partial_cmp(&q.center).unwrap_or(std::cmp::Ordering::Equal);
+        is_out(p).cmp(&is_out(q)).then(pair(p).cmp(&pair(q))).then_with(angles).then_with(centers)
+    });
+    if found.first().is_some_and(|p| !is_out(p)) {
+        found.retain(|p| !is_out(p));
+    }
+    found.dedup_by_key(|point| pair(point));
+    found
+}

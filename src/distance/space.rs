@@ -1,0 +1,244 @@
+//! APPROXMA3D: space divided into cubes, with spheres round them (Stolpner, Whitesides, section VII).
+
+use super::decide::Ball;
+use super::field::{Cover, FieldAxis, FieldOptions};
+use super::locate::{MedialPoint, Search};
+use super::sites::Sites;
+use crate::error::{Error, Result, Status};
+use crate::job::{Room, Run};
+use crate::medial::Side;
+use crate::vector::{Vec3, add, scale, sub};
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+/// The points on a sphere if nobody says how many.
+const SAMPLES: usize = 60;
+/// The cubes that one thread looks at between two reports.
+const BATCH: usize = 16;
+/// The most cubes at once, and the most along a side.
+const LIMIT: usize = 1 << 28;
+
+/// The cubes of one size: by their places in a lattice.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lattice {
+    pub origin: Vec3,
+    pub side: f64,
+}
+
+impl Lattice {
+    /// The corner of a cube that is least in all coordinates.
+    pub fn corner(&self, place: [u32; 3]) -> Vec3 {
+        [0, 1, 2].map(|k| self.origin[k] + self.side * f64::from(place[k]))
+    }
+
+    /// The middle of a cube.
+    pub fn middle(&self, place: [u32; 3]) -> Vec3 {
+        self.corner(place).map(|x| x + 0.5 * self.side)
+    }
+
+    /// The cube that holds a point.
+    fn place(&self, p: Vec3) -> [i64; 3] {
+        [0, 1, 2].map(|k| ((p[k] - self.origin[k]) / self.side).floor() as i64)
+    }
+}
+
+/// What became of a cube.
+enum Fate {
+    Nothing,
+    Divided,
+    /// A point in the cube, or, if there is none, one of the sphere outside the cube.
+    Found(Cover, MedialPoint),
+}
+
+pub(super) fn axis(sites: &Arc<Sites>, options: FieldOptions, run: &Run<'_>) -> Result<FieldAxis> {
+    let samples = match options.samples {
+        0 => SAMPLES,
+        samples => samples,
+    };
+    let options = FieldOptions { samples, ..options };
+    let space = Space {
+        search: sites.search(options.decide)?,
+        options,
+        directions: even_directions(samples),
+    };
+    let (mut lattice, mut cubes, levels) = space.whole()?;
+    let mut room = Room::new(run);
+    for level in 0..=levels {
+        let is_last = level == levels;
+        let is_here = space.sides(&lattice, &cubes, run)?;
+        let parts: Vec<_> = cubes.chunks(BATCH).zip(is_here.chunks(BATCH)).collect();
+        let share = |level: u32| 0.25f64.powi((levels + 1 - level) as i32);
+        let fates = run.in_steps(parts, [share(level), share(level + 1)], |(cubes, is_here)| {
+            run.poll()?;
+            let fate = |(&place, &is_here)| space.fate(&lattice, place, is_here, is_last);
+            Ok(cubes.iter().zip(is_here).map(fate).collect::<Vec<_>>())
+        })?;
+        let fates = cubes.iter().zip(fates.into_iter().flatten());
+        if is_last {
+            let found = fates.filter_map(|(&place, fate)| match fate {
+                Fate::Found(cover, point) => Some((place, cover, point)),
+                _ => None,
+            });
+            return space.gathered(sites, &lattice, found.collect(), run);
+        }
+        let mut next = Vec::new();
+        for (place, _) in fates.filter(|(_, fate)| matches!(fate, Fate::Divided)) {
+            room.grow(&mut next, 8)?;
+            let eighth = |k: u32| [0, 1, 2].map(|axis| 2 * place[axis] + (k >> axis & 1));
+            next.extend((0..8).map(eighth));
+        }
+        if next.len() > LIMIT {
+            let message = "the density asks for more than 2^28 spheres";
+            return Err(Error::new(Status::LimitExceeded, message));
+        }
+        cubes = next;
+        lattice.side *= 0.5;
+    }
+    Err(Error::new(Status::Internal, "the cubes have no last level"))
+}
+
+struct Space<'a> {
+    search: Search<'a>,
+    options: FieldOptions,
+    directions: Vec<Vec3>,
+}
+
+impl Space<'_> {
+    /// The coarse cubes that fill the box to look at, and how often they are halved until their sides are no longer than the density.
+    fn whole(&self) -> Result<(Lattice, Vec<[u32; 3]>, u32)> {
+        let Some([min, max]) = self.options.clip else {
+            return Err(Error::new(Status::Internal, "there is no box to look at"));
+        };
+        let extent = sub(max, min);
+        let longest = extent.iter().copied().fold(0.0, f64::max);
+        // Cubes of which the longest spheres are no larger than a sixteenth of the box are worth a look.
+        let ratio = (longest / self.options.density).log2().ceil();
+        if ratio > 20.0 {
+            let message = "the density is less than 2^-20 of the box";
+            return Err(Error::new(Status::LimitExceeded, message));
+        }
+        let finest = (ratio as u32).max(0);
+        let levels = finest.saturating_sub(3);
+        let side = self.options.density * f64::from(1u32 << levels);
+        let count = extent.map(|x| ((x / side).ceil() as u32).max(1));
+        // In the middle of the box.
+        let origin = [0, 1, 2].map(|k| 0.5 * (min[k] + max[k]) - 0.5 * side * f64::from(count[k]));
+        let mut cubes = Vec::new();
+        for z in 0..count[2] {
+            for y in 0..count[1] {
+                cubes.extend((0..count[0]).map(|x| [x, y, z]));
+            }
+        }
+        Ok((Lattice { origin, side }, cubes, levels))
+    }
+
+    /// For each cube whether its centre is on the side that was asked for.
+    fn sides(&self, lattice: &Lattice, cubes: &[[u32; 3]], run: &Run<'_>) -> Result<Vec<bool>> {
+        let middles = cubes.iter().map(|&place| lattice.middle(place)).collect::<Vec<_>>();
+        self.are_here(&middles, run)
+    }
+
+    /// Whether points are on the side that was asked for.
+    fn are_here(&self, points: &[Vec3], run: &Run<'_>) -> Result<Vec<bool>> {
+        match self.options.side {
+            Side::Both => Ok(vec![true; points.len()]),
+            side => {
+                let is_inside = self.search.sites.is_inside_in(points, run)?;
+                Ok(is_inside.into_iter().map(|inside| inside == (side == Side::Inner)).collect())
+            }
+        }
+    }
+
+    /// Drops a cube, has it divided, or finds a point in it.
+    ///
+    /// A sphere that the boundary enters tells nothing and is divided. Where it is small enough its points are followed away from their nearest points of the boundary all the same: the
+    /// balls that are found so are medial balls, whatever else is in the sphere, and its other side has its own.
+    fn fate(&self, lattice: &Lattice, place: [u32; 3], is_here: bool, is_last: bool) -> Fate {
+        let center = lattice.middle(place);
+        let half = 0.5 * lattice.side;
+        let radius = half * 3f64.sqrt();
+        let distance = self.search.sites.foot(center).distance_squared.sqrt();
+        if distance + radius < self.options.min_distance {
+            return Fate::Nothing;
+        }
+        let is_free = distance >= radius;
+        if is_free && !is_here {
+            return Fate::Nothing;
+        }
+        if !is_free && !is_last {
+            return Fate::Divided;
+        }
+        let in_cube = |p: Vec3| (0..3).all(|k| (p[k] - center[k]).abs() <= half);
+        let rank = |p: &MedialPoint| (in_cube(p.center), p.object_angle);
+        let mut best: Option<MedialPoint> = None;
+        let mut fires = false;
+        self.search.examine(Ball { center, radius }, &self.directions, |_, point| {
+            fires = true;
+            let is_kept = point.object_angle >= self.options.angle
+                && point.radius >= self.options.min_distance;
+            if is_kept && best.is_none_or(|best| rank(&point) > rank(&best)) {
+                best = Some(point);
+            }
+            is_last
+        });
+        match (is_last, best) {
+            (false, _) if fires => Fate::Divided,
+            (true, Some(point)) => {
+                let cover =
+                    Cover { center, radius, half, gap: 0.0, distance, found: 1, missed_angle: PI };
+                Fate::Found(cover, point)
+            }
+            _ => Fate::Nothing,
+        }
+    }
+
+    /// One point a cube: its own, or else one that a neighbour found in it.
+    fn gathered(
+        &self,
+        sites: &Arc<Sites>,
+        lattice: &Lattice,
+        found: Vec<([u32; 3], Cover, MedialPoint)>,
+        run: &Run<'_>,
+    ) -> Result<FieldAxis> {
+        let mut room = Room::new(run);
+        let centers = room.collect(found.iter().map(|(_, _, point)| point.center))?;
+        let is_here = self.are_here(&centers, run)?;
+        let [min, max] = self.options.clip.unwrap_or_default();
+        let in_box = |p: Vec3| (0..3).all(|k| min[k] <= p[k] && p[k] <= max[k]);
+        let mut kept: Vec<([i64; 3], bool, Cover, MedialPoint)> = room.vec(found.len())?;
+        for ((place, cover, point), is_here) in found.into_iter().zip(is_here) {
+            if is_here && in_box(point.center) {
+                let holder = lattice.place(point.center);
+                let is_own = place.map(i64::from) == holder;
+                kept.push((holder, !is_own, cover, point));
+            }
+        }
+        // A cube's own point comes first, then that with the largest angle.
+        kept.sort_by(|p, q| {
+            let angles = q.3.object_angle.total_cmp(&p.3.object_angle);
+            (p.0, p.1).cmp(&(q.0, q.1)).then(angles)
+        });
+        kept.dedup_by_key(|kept| kept.0);
+        Ok(FieldAxis {
+            sites: sites.clone(),
+            options: self.options,
+            points: room.collect(kept.iter().map(|kept| kept.3))?,
+            cover_of_point: room.collect(0..kept.len() as u32)?,
+            covers: room.collect(kept.iter().map(|kept| kept.2))?,
+            unconfirmed: 0,
+        })
+    }
+}
+
+/// Directions spread evenly: on a spiral from pole to pole, each the golden angle further (Vogel 1979; Swinbank, Purser 2006, *Fibonacci grids*).
+fn even_directions(count: usize) -> Vec<Vec3> {
+    let golden = PI * (3.0 - 5f64.sqrt());
+    (0..count)
+        .map(|i| {
+            let z = 1.0 - (2 * i + 1) as f64 / count as f64;
+            let r = (1.0 - z * z).sqrt();
+            let angle = golden * i as f64;
+            add(scale([libm::cos(angle), libm::sin(angle), 0.0], r), [0.0, 0.0, z])
+        })
+        .collect()
+}

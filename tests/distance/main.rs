@@ -1,0 +1,9 @@
+//! Distances to sites, and the medial axes read off them.
+
+mod figures;
+mod graph;
+mod nearest;
+mod plane;
+mod shapes;
+mod space;
+mod theorem;
