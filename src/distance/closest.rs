@@ -65,11 +65,12 @@ pub(super) fn on_segment(p: Vec3, a: Vec3, b: Vec3) -> Vec3 {
     let along = sub(b, a);
     let length_2 = dot(along, along);
     let from_a = dot(sub(p, a), along);
-    if !(from_a > 0.0) {
+    // A segment that is a point has neither.
+    if from_a <= 0.0 || length_2 == 0.0 {
         return a;
     }
     let from_b = dot(sub(b, p), along);
-    if !(from_b > 0.0) {
+    if from_b <= 0.0 {
         return b;
     }
     // From the nearer end, where rounding does less harm.
@@ -104,10 +105,10 @@ impl Triangle {
         let height = sub(slope, scale(base, top));
         let height_2 = dot(height, height);
         // Rounding alone makes a height of a few units in the last place of the slope.
-        let is_flat = !(height_2 > 1e-28 * base_2);
-        match is_flat {
-            true => Err([a, b]),
-            false => {
+        let has_area = height_2 > 1e-28 * base_2;
+        match has_area {
+            false => Err([a, b]),
+            true => {
                 Ok(Triangle { corners, base, height, inverse: [1.0 / base_2, 1.0 / height_2], top })
             }
         }
@@ -118,7 +119,7 @@ impl Triangle {
         let from = sub(p, a);
         let s = dot(from, self.base) * self.inverse[0];
         let t = dot(from, self.height) * self.inverse[1];
-        if !(t > 0.0) {
+        if t <= 0.0 {
             return on_segment(p, a, b);
         }
         let is_left = s < t * self.top;

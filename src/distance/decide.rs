@@ -186,11 +186,8 @@ impl Search<'_> {
     ) {
         let mut found = false;
         for (a, b) in ring.neighbors() {
-            if side(b, a) * side(a, b) < 0.0 {
-                // Both as seen from the one to the other, so that the same sign means different sides.
-                continue;
-            }
-            if side(a, b) == 0.0 || side(b, a) == 0.0 {
+            // Each as seen on the way to the other, so that one sign means different sides.
+            if side(a, b) * side(b, a) <= 0.0 {
                 continue;
             }
             match self.between(a.at, b.at, Z) {
@@ -248,7 +245,7 @@ impl Ball {
             return None;
         }
         let opposite = sub(at, scale(way, 2.0 * half));
-        let on = (half < 0.0).then(|| (way, [distance, distance - 2.0 * half]));
+        let on = (half < 0.0).then_some((way, [distance, distance - 2.0 * half]));
         Some((opposite, on))
     }
 }

@@ -185,7 +185,7 @@ impl FieldOptions {
     fn resolved(mut self, sites: &Sites) -> Result<Self> {
         let wrong = |message: String| Err(Error::new(Status::InvalidArgument, message));
         for (name, value) in [("density", self.density), ("least distance", self.min_distance)] {
-            if !(value >= 0.0 && value <= COORDINATE_MAX) {
+            if !(0.0..=COORDINATE_MAX).contains(&value) {
                 return wrong(format!("a {name} of {value} is no length"));
             }
         }

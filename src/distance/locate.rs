@@ -66,7 +66,8 @@ impl Search<'_> {
             // One less the cosine of the object angle: how fast the two distances part.
             let rate = size_2 / (2.0 * high * high);
             let lead = high - b.distance_squared.sqrt();
-            if lead <= 0.25 * self.epsilon * rate.min(1.0) || !(next < high) {
+            let shrinks = next < high;
+            if lead <= 0.25 * self.epsilon * rate.min(1.0) || !shrinks {
                 return Some(self.touching(a, &b, center, high));
             }
             let shrunk = high - next;

@@ -46,7 +46,7 @@ impl Sites {
         tolerance: f64,
         job: &Job,
     ) -> Result<AllNearest> {
-        if !(tolerance >= 0.0) {
+        if tolerance.is_nan() || tolerance < 0.0 {
             let message = format!("a tolerance of {tolerance} is no distance");
             return Err(Error::new(Status::InvalidArgument, message));
         }

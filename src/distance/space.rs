@@ -117,8 +117,8 @@ impl Space<'_> {
             let message = "the density is less than 2^-20 of the box";
             return Err(Error::new(Status::LimitExceeded, message));
         }
-        let finest = (ratio as u32).max(0);
-        let levels = finest.saturating_sub(3);
+        // Below 0 where the box is smaller than one cube.
+        let levels = (ratio as u32).saturating_sub(3);
         let side = self.options.density * f64::from(1u32 << levels);
         let count = extent.map(|x| ((x / side).ceil() as u32).max(1));
         // In the middle of the box.

@@ -126,15 +126,15 @@ impl Tree {
             let node = &self.nodes[child as usize];
             let lower = node.distances_squared(p);
             let begin = count;
-            for slot in 0..WIDE {
-                if lower[slot] <= best.distance_squared {
+            for (slot, &lower) in lower.iter().enumerate() {
+                if lower <= best.distance_squared {
                     // The nearest comes last, to be looked at first.
                     let mut place = count;
-                    while place > begin && waiting[place - 1].0 < lower[slot] {
+                    while place > begin && waiting[place - 1].0 < lower {
                         waiting[place] = waiting[place - 1];
                         place -= 1;
                     }
-                    waiting[place] = (lower[slot], node.child[slot], node.count[slot]);
+                    waiting[place] = (lower, node.child[slot], node.count[slot]);
                     count += 1;
                 }
             }
@@ -221,10 +221,10 @@ impl Node {
     #[inline]
     fn distances_squared(&self, p: Vec3) -> [f64; WIDE] {
         let mut sum = [0.0; WIDE];
-        for k in 0..3 {
-            for slot in 0..WIDE {
-                let out = (self.min[k][slot] - p[k]).max(p[k] - self.max[k][slot]).max(0.0);
-                sum[slot] += out * out;
+        for ((min, max), x) in self.min.iter().zip(&self.max).zip(p) {
+            for ((sum, min), max) in sum.iter_mut().zip(min).zip(max) {
+                let out = (min - x).max(x - max).max(0.0);
+                *sum += out * out;
             }
         }
         sum.map(|sum| sum * (1.0 - 1e-14))

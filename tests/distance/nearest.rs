@@ -141,7 +141,7 @@ fn all_nearest_points_are_found_within_a_tolerance() {
 fn a_point_is_inside_where_a_ray_crosses_an_odd_number_of_times() {
     let mut random = Random(3);
     let ring = star(&mut random, 40);
-    let sites = closed(rings(&[ring.clone()]));
+    let sites = closed(rings(std::slice::from_ref(&ring)));
     let points: Vec<Point> = (0..2000).map(|_| random.flat(-1.2, 1.2)).collect();
     let found = sites.is_inside(&points, &Job::default()).unwrap();
     let mut seen = [0; 2];

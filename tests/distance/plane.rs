@@ -109,7 +109,7 @@ fn a_figure_shifted_and_turned_has_the_same_axis() {
     let (sine, cosine) = 0.7f64.sin_cos();
     let moved =
         |p: [f64; 2]| [10.0 + cosine * p[0] - sine * p[1], -3.0 + sine * p[0] + cosine * p[1]];
-    let sites = closed(rings(&[ring.clone()]));
+    let sites = closed(rings(std::slice::from_ref(&ring)));
     let turned = closed(rings(&[ring.into_iter().map(moved).collect()]));
     let options = FieldOptions { density: 0.1, ..FieldOptions::default() };
     let (plain, turned) = (axis(&sites, options), axis(&turned, options));

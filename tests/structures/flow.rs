@@ -216,14 +216,10 @@ fn orbits_through_voronoi_vertices_never_come_back() {
     let starts: Vec<Point> =
         steps().flat_map(|x| steps().map(move |y| [x - 1.0, y - 1.0, 5.5 - 0.5 * x])).collect();
     let orbits = flow.orbits(&starts, &Job::default()).unwrap();
-    for i in 0..starts.len() {
+    for (i, start) in starts.iter().enumerate() {
         let range = orbits.offsets()[i] as usize..orbits.offsets()[i + 1] as usize;
         let distances = &orbits.distances()[range];
-        assert!(
-            distances.is_sorted_by(|a, b| *a <= b * (1.0 + 1e-9)),
-            "{:?}: {distances:?}",
-            starts[i]
-        );
+        assert!(distances.is_sorted_by(|a, b| *a <= b * (1.0 + 1e-9)), "{start:?}: {distances:?}");
     }
 }
 

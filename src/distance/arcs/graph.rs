@@ -158,7 +158,7 @@ impl GraphOptions {
             return wrong("a graph of arcs is that of a boundary in the plane".into());
         }
         for (name, value) in [("spacing", self.spacing), ("least distance", self.min_distance)] {
-            if !(value >= 0.0 && value <= COORDINATE_MAX) {
+            if !(0.0..=COORDINATE_MAX).contains(&value) {
                 return wrong(format!("a {name} of {value} is no length"));
             }
         }
@@ -168,7 +168,7 @@ impl GraphOptions {
         let spacing = if self.spacing > 0.0 { self.spacing } else { 0.01 * sites.size() };
         if let Some([min, max]) = self.clip {
             let is_box = (0..2).all(|k| min[k] < max[k]);
-            if !is_box || min.iter().chain(&max).any(|x| !(x.abs() <= COORDINATE_MAX)) {
+            if !is_box || !min.iter().chain(&max).all(|x| x.abs() <= COORDINATE_MAX) {
                 return wrong("the corners of the box to clip to are no box".into());
             }
             return Ok((spacing, Bounds { min, max }));
