@@ -67,7 +67,7 @@ pub struct MedialGraph {
 }
 
 impl MedialGraph {
-    /// Follows the axis of segments, points and circles in the plane. Segments must meet in common ends only, and touch no circle: [`Figure`]s do.
+    /// Follows the axis of segments, points and circles in the plane. Segments must meet in common ends only, and touch no circle: those of a [`Figure`](crate::figure::Figure) do.
     ///
     /// Errors: [`Status::InvalidArgument`] in space and for options out of range; [`Status::Unsupported`] with its row for a line or a ray; those of the job. Cost: O((n + size) log n).
     pub fn new(sites: &Arc<Sites>, options: GraphOptions, job: &Job) -> Result<Self> {
