@@ -85,10 +85,10 @@ enum Event {
     End(u32),
     /// An edge begins.
     Begin(u32),
-    /// The least vertex of a ring.
-    Ring(u32, Point),
+    /// The least vertex of a ring, this one.
+    Ring(u32),
     /// The centre of a circle.
-    Circle(u32, Point),
+    Circle(u32),
 }
 
 impl Event {
@@ -96,7 +96,8 @@ impl Event {
         match *self {
             Event::End(curve) => strand(curves, curve).right,
             Event::Begin(curve) => strand(curves, curve).left,
-            Event::Ring(_, at) | Event::Circle(_, at) => at,
+            Event::Ring(vertex) => *curves.position(vertex),
+            Event::Circle(circle) => centre(curves.figure, circle),
         }
     }
 }
@@ -138,12 +139,14 @@ pub(super) fn containers(
                 line.remove(&strand(curves, curve));
                 continue;
             }
-            Event::Ring(ring, at) => {
-                let lower = lower_edge(curves, ring as usize);
-                let probe = lower.unwrap_or(Strand::point(at));
-                (ring as usize, line.range(..probe).next_back())
+            Event::Ring(vertex) => {
+                let ring = figure.chain_of(vertex);
+                let lower = lower_edge(curves, ring, vertex);
+                let probe = lower.unwrap_or(Strand::point(*curves.position(vertex)));
+                (ring, line.range(..probe).next_back())
             }
-            Event::Circle(circle, at) => {
+            Event::Circle(circle) => {
+                let at = centre(figure, circle);
                 let shape = &figure.circles[circle as usize];
                 let outside = |s: &&Strand| side_of_circle(&s.left, shape).is_positive();
                 let below = line.range(..Strand::point(at)).rev().find(outside);
@@ -167,13 +170,10 @@ fn events(curves: &Curves<'_>, room: &mut Room<'_>, run: &Run<'_>) -> Result<Vec
     let mut asked = room.vec(rings + figure.circles.len())?;
     for ring in run.watch(0..rings) {
         let ring = ring?;
-        let vertices = ring_of(figure, ring);
-        asked.push(Event::Ring(ring as u32, vertices[least_vertex(vertices)]));
+        let least = least_vertex(ring_of(figure, ring)) as u32;
+        asked.push(Event::Ring(figure.range(ring).start + least));
     }
-    for circle in run.watch(figure.circles.iter().enumerate()) {
-        let (i, &[x, y, _]) = circle?;
-        asked.push(Event::Circle(i as u32, [x, y]));
-    }
+    asked.extend((0..figure.circles.len()).map(|circle| Event::Circle(circle as u32)));
     sort_by_key(&mut asked, |event| float_key(event.place(curves)[1]), run)?;
     let mut events = Vec::new();
     for make in [Event::End as fn(u32) -> Event, Event::Begin] {
@@ -199,10 +199,14 @@ fn ring_of(figure: &Figure, ring: usize) -> &[Point] {
     &figure.vertices[range.start as usize..range.end as usize]
 }
 
+fn centre(figure: &Figure, circle: u32) -> Point {
+    let [x, y, _] = figure.circles[circle as usize];
+    [x, y]
+}
+
 /// The lower one of the edges that begin at the least vertex of a ring. One of them at least is not vertical.
-fn lower_edge(curves: &Curves<'_>, ring: usize) -> Option<Strand> {
+fn lower_edge(curves: &Curves<'_>, ring: usize, least: u32) -> Option<Strand> {
     let range = curves.figure.range(ring);
-    let least = range.start + least_vertex(ring_of(curves.figure, ring)) as u32;
     let before = if least == range.start { range.end - 1 } else { least - 1 };
     let edges = [before, least].map(|curve| strand(curves, curve));
     edges.into_iter().filter(|edge| edge.left[0] != edge.right[0]).min()
