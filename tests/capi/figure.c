@@ -93,7 +93,7 @@ static void accessors(void) {
 static void refusals(void) {
     static const double bow[8] = {0, 0, 4, 4, 4, 0, 0, 4};
     static const double flat[8] = {0, 0, 1, 1, 2, 2, 3, 3}, bad_circle[3] = {0, 0, -1};
-    static const uint32_t one[2] = {0, 4}, fall[3] = {0, 5, 4};
+    static const uint32_t one[2] = {0, 4}, fall[3] = {0, 5, 4}, single[2] = {0, 1};
     double nan_points[4] = {1, 1, 1, 1};
     const medax_figure *figure = UNTOUCHED;
     nan_points[3] = strtod("nan", NULL);
@@ -124,7 +124,7 @@ static void refusals(void) {
             parts.ring_vertex_count = 4;
             parts.ring_offsets = one;
             parts.ring_count = 1;
-            parts.polygon_offsets = (const uint32_t[2]){0, 1};
+            parts.polygon_offsets = single;
             if (i == 11) status = MEDAX_STATUS_DEGENERATE;
             kind = MEDAX_ERROR_KIND_RING;
             index = 0;
