@@ -151,39 +151,29 @@ impl Tree {
             }
         };
         (self.bounded..self.shapes.len()).for_each(&mut look);
-        let mut waiting = [0; DEPTH];
-        let mut count = 1;
-        while count > 0 {
-            count -= 1;
-            let node = &self.nodes[waiting[count] as usize];
-            let lower = node.distances_squared(p);
-            for slot in (0..WIDE).filter(|&slot| lower[slot] <= limit) {
-                match node.child[slot] & LEAF {
-                    0 => {
-                        waiting[count] = node.child[slot];
-                        count += 1;
-                    }
-                    _ => {
-                        let begin = (node.child[slot] & !LEAF) as usize;
-                        (begin..begin + node.count[slot] as usize).for_each(&mut look);
-                    }
-                }
-            }
-        }
+        self.leaves(|node| node.distances_squared(p).map(|lower| lower <= limit), look);
     }
 
     /// Visits every bounded piece whose box a ray to the right, along x in the plane, comes to.
     pub fn to_the_right(&self, p: Vec3, mut visit: impl FnMut(u32)) {
+        let is_met = |node: &Node| {
+            std::array::from_fn(|slot| {
+                let [min_y, max_y] = [node.min[1][slot], node.max[1][slot]];
+                min_y <= p[1] && p[1] <= max_y && p[0] <= node.max[0][slot]
+            })
+        };
+        self.leaves(is_met, |place| visit(self.numbers[place]));
+    }
+
+    /// Visits the places of all pieces in leaves of which this box and those above are met.
+    fn leaves(&self, is_met: impl Fn(&Node) -> [bool; WIDE], mut visit: impl FnMut(usize)) {
         let mut waiting = [0; DEPTH];
         let mut count = 1;
         while count > 0 {
             count -= 1;
             let node = &self.nodes[waiting[count] as usize];
-            let is_met = |slot: &usize| {
-                let [min_y, max_y] = [node.min[1][*slot], node.max[1][*slot]];
-                min_y <= p[1] && p[1] <= max_y && p[0] <= node.max[0][*slot]
-            };
-            for slot in (0..WIDE).filter(is_met) {
+            let met = is_met(node);
+            for slot in (0..WIDE).filter(|&slot| met[slot]) {
                 match node.child[slot] & LEAF {
                     0 => {
                         waiting[count] = node.child[slot];
@@ -191,8 +181,7 @@ impl Tree {
                     }
                     _ => {
                         let begin = (node.child[slot] & !LEAF) as usize;
-                        let numbers = &self.numbers[begin..begin + node.count[slot] as usize];
-                        numbers.iter().copied().for_each(&mut visit);
+                        (begin..begin + node.count[slot] as usize).for_each(&mut visit);
                     }
                 }
             }
