@@ -1,6 +1,7 @@
 //! Cuts: where the orbits of Voronoi vertices cross Voronoi facets.
 
 use super::outline::{Corner, Outline};
+use super::share::Share;
 use super::side::View;
 use super::simplex::VoronoiSet;
 use super::source::Source;
@@ -32,8 +33,8 @@ pub(super) struct Hit {
     pub at: Vec3,
     /// The triangle whose Voronoi edge was hit.
     pub triangle: u32,
-    /// Where on it: the share of the way from the centre of the triangle's lesser cell to that of the other, or the distance from it along the ray.
-    pub share: f64,
+    /// Where on it, from the centre of the triangle's lesser cell on.
+    pub share: Share,
     /// The facet that the cut crosses, and what puts its hits in their order where shares are equal.
     facet: u32,
     order: u32,
@@ -166,13 +167,9 @@ impl Cuts {
             list.push(hit);
             hit = self.hits[hit as usize].next;
         }
-        let key = |&hit: &u32| {
-            let hit = &self.hits[hit as usize];
-            (hit.share, hit.facet, hit.order)
-        };
-        list.sort_unstable_by(|a, b| {
-            let ((a, a_facet, a_order), (b, b_facet, b_order)) = (key(a), key(b));
-            a.total_cmp(&b).then((a_facet, a_order).cmp(&(b_facet, b_order)))
+        list.sort_unstable_by(|&a, &b| {
+            let [a, b] = [a, b].map(|hit| &self.hits[hit as usize]);
+            a.share.order(&b.share).then((a.facet, a.order).cmp(&(b.facet, b.order)))
         });
     }
 }
@@ -270,7 +267,7 @@ impl Tracer<'_> {
             }
         }
         let mut far = outline.sides.len();
-        let mut last: Option<f64> = None;
+        let mut last: Option<Share> = None;
         for (&entry, &least) in entries.iter().zip(&exact) {
             let x = vector(entry);
             let mut next = far;
@@ -305,7 +302,7 @@ impl Tracer<'_> {
             let at = view.place(outline, side, share);
             // Hits come against the side's direction.
             let order = if runs_on { u32::MAX - order } else { order };
-            let share = if runs_on || is_ray { share } else { 1.0 - share };
+            let share = if runs_on || is_ray { share } else { share.reversed() };
             hits.push(Hit { at, triangle, share, facet, order, next: NONE });
         }
     }

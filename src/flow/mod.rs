@@ -13,6 +13,7 @@ mod inner;
 mod orbit;
 mod outline;
 mod place;
+mod share;
 mod side;
 mod simplex;
 mod source;

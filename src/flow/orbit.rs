@@ -336,10 +336,11 @@ impl Trace<'_> {
             true => {
                 let center = self.source.center_of(simplex);
                 let [here, middle] = [*at, center].map(|at| self.source.share(triangle, at));
-                if here == middle {
-                    return Next::End(simplex);
+                match here.order(&middle) {
+                    Ordering::Less => false,
+                    Ordering::Equal => return Next::End(simplex),
+                    Ordering::Greater => true,
                 }
-                here > middle
             }
             false => self.source.drivers.beyond[cell as usize] >> slot & 1 == 1,
         };

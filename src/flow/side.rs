@@ -1,6 +1,7 @@
 //! On which side of a ray the corners of a Voronoi facet lie.
 
 use super::outline::{Corner, Outline};
+use super::share::Share;
 use crate::dual::{Dual, Way, triple_sign};
 use crate::poles::seen_from;
 use crate::predicates::{Sign, UNIT};
@@ -88,16 +89,16 @@ impl<'a> View<'a> {
         far
     }
 
-    /// Where the ray through a point of the facet hits a side: the share of it from its beginning, or the distance from its finite end. Beyond the hit before, if there is
-    /// one; and where rounding leaves nothing of the crossing, as where the facet has no width there, not nearer to the driver than the point.
-    pub fn share(&self, outline: &Outline, side: usize, x: Vec3, last: Option<f64>) -> f64 {
+    /// Where the ray through a point of the facet hits a side. Not before the hit before, if there is
+    /// one, as the sides are walked; and where rounding leaves nothing of the crossing, as where the facet has no width there, not nearer to the driver than the point.
+    pub fn share(&self, outline: &Outline, side: usize, x: Vec3, last: Option<Share>) -> Share {
         let (begin, end) = (outline.corners[side], outline.end(side));
         let turn = |corner| self.turn(x, self.vector(corner));
         let (from, to) = ((-turn(begin)).max(0.0), turn(end).max(0.0));
         let (share, parted) = match (begin, end) {
-            (Corner::Cell(_), Corner::Cell(_)) => (from / (from + to), from + to),
-            (_, Corner::Ray(_)) => (from / to, to),
-            (Corner::Ray(_), _) => (to / from, from),
+            (Corner::Cell(_), Corner::Cell(_)) => (Share::of(from, to), from + to),
+            (_, Corner::Ray(_)) => (Share::on_ray(from / to), to),
+            (Corner::Ray(_), _) => (Share::on_ray(to / from), from),
         };
         let at = self.to(self.place(outline, side, share));
         let noise = self.noise(x, begin).max(self.noise(x, end));
@@ -105,12 +106,16 @@ impl<'a> View<'a> {
             true => share,
             false => self.foot(outline, side, x),
         };
-        // Hits are put in order by their bits: a zero has one sign.
-        let share = share + 0.0;
         match (begin, end) {
-            (Corner::Cell(_), Corner::Cell(_)) => share.clamp(0.0, last.unwrap_or(1.0)),
-            (_, Corner::Ray(_)) => share.clamp(0.0, last.unwrap_or(FARTHEST)),
-            (Corner::Ray(_), _) => share.clamp(last.unwrap_or(0.0), FARTHEST),
+            (Corner::Cell(_), Corner::Cell(_)) => {
+                share.max(Share::BEGIN).min(last.unwrap_or(Share::END))
+            }
+            (_, Corner::Ray(_)) => {
+                share.max(Share::on_ray(0.0)).min(last.unwrap_or(Share::on_ray(FARTHEST)))
+            }
+            (Corner::Ray(_), _) => {
+                share.max(last.unwrap_or(Share::on_ray(0.0))).min(Share::on_ray(FARTHEST))
+            }
         }
     }
 
@@ -125,30 +130,39 @@ impl<'a> View<'a> {
         32.0 * UNIT * permanent(add(size(x), from), of_corner, along)
     }
 
-    /// Where on a side the point nearest to another one lies, as [`View::share`].
-    fn foot(&self, outline: &Outline, side: usize, x: Vec3) -> f64 {
-        let (begin, along) = match (outline.corners[side], outline.end(side)) {
-            (Corner::Ray(ray), cell) | (cell, Corner::Ray(ray)) => {
-                (self.vector(cell), self.vector(Corner::Ray(ray)))
-            }
-            (begin, end) => (self.vector(begin), sub(self.vector(end), self.vector(begin))),
+    /// Where on a side the point nearest to another one lies, on its line.
+    fn foot(&self, outline: &Outline, side: usize, x: Vec3) -> Share {
+        let part = |from: Vec3, to: Vec3, along: Vec3| {
+            let part = dot(sub(to, from), along) / dot(along, along);
+            // Of a side without length any point is it.
+            if part.is_nan() { 0.0 } else { part }
         };
-        let foot = dot(sub(x, begin), along) / dot(along, along);
-        // Of a side without length any point is it.
-        if foot.is_nan() { 0.0 } else { foot }
+        match (outline.corners[side], outline.end(side)) {
+            (Corner::Ray(ray), cell) | (cell, Corner::Ray(ray)) => {
+                Share::on_ray(part(self.vector(cell), x, self.vector(Corner::Ray(ray))))
+            }
+            (begin, end) => {
+                let [begin, end] = [begin, end].map(|corner| self.vector(corner));
+                let along = sub(end, begin);
+                Share { before: part(begin, x, along), behind: part(x, end, along) }
+            }
+        }
     }
 
     /// The point of a side.
-    pub fn place(&self, outline: &Outline, side: usize, share: f64) -> Vec3 {
+    pub fn place(&self, outline: &Outline, side: usize, share: Share) -> Vec3 {
         let center = |cell: u32| self.dual.centers()[cell as usize];
         let direction = |ray: u32| self.dual.rays().directions()[ray as usize];
         match (outline.corners[side], outline.end(side)) {
             (Corner::Cell(begin), Corner::Cell(end)) => {
                 let [begin, end] = [begin, end].map(center);
-                add(begin, scale(sub(end, begin), share))
+                match share.is_near_begin() {
+                    true => add(begin, scale(sub(end, begin), share.before)),
+                    false => add(end, scale(sub(begin, end), share.behind)),
+                }
             }
             (Corner::Cell(cell), Corner::Ray(ray)) | (Corner::Ray(ray), Corner::Cell(cell)) => {
-                add(center(cell), scale(direction(ray), share))
+                add(center(cell), scale(direction(ray), share.before))
             }
             (Corner::Ray(ray), Corner::Ray(_)) => direction(ray),
         }

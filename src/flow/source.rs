@@ -1,6 +1,7 @@
 //! What a flow is read from.
 
 use super::drivers::Drivers;
+use super::share::Share;
 use super::triangles::Triangles;
 use crate::dual::{Dual, Facets};
 use crate::index::NONE;
@@ -39,20 +40,21 @@ impl Source<'_> {
         circumcenter(p, q, r)
     }
 
-    /// How far along a triangle's Voronoi edge a point lies, as [`Hit::share`](super::cuts::Hit).
-    pub fn share(&self, triangle: u32, at: Vec3) -> f64 {
+    /// Where on the line of a triangle's Voronoi edge a point lies, as [`Hit::share`](super::cuts::Hit).
+    pub fn share(&self, triangle: u32, at: Vec3) -> Share {
         let t = self.dual.triangulation();
         let [cell, other] = self.triangles.cells(t, triangle);
         let begin = self.dual.centers()[cell as usize];
-        let along = match other {
-            NONE => {
-                let ray =
-                    self.dual.rays().of_facet(cell, self.triangles.sides[triangle as usize][1]);
-                return dot(sub(at, begin), self.dual.rays().directions()[ray as usize]);
-            }
-            other => sub(self.dual.centers()[other as usize], begin),
-        };
-        dot(sub(at, begin), along) / dot(along, along)
+        if other == NONE {
+            let ray = self.dual.rays().of_facet(cell, self.triangles.sides[triangle as usize][1]);
+            return Share::on_ray(dot(
+                sub(at, begin),
+                self.dual.rays().directions()[ray as usize],
+            ));
+        }
+        let end = self.dual.centers()[other as usize];
+        let along = sub(end, begin);
+        Share::of(dot(sub(at, begin), along), dot(sub(end, at), along))
     }
 }
 

@@ -186,6 +186,21 @@ fn complexes_of_cospherical_samples_fit_together() {
     }
 }
 
+/// Samples a unit of rounding off a plane make Voronoi edges of which one end is 2^50 times as far away as the other: orbits cross them as exactly near this one.
+#[test]
+fn nothing_flows_nearer_to_samples_beside_far_voronoi_vertices() {
+    for (shape, spacing, seed) in
+        [(Shape::Bracket, 0.3, 0), (Shape::Box, 0.15, 2), (Shape::Bracket, 0.15, 1)]
+    {
+        let options = SampleOptions { spacing, seed, ..Default::default() };
+        let samples = sample(shape, options, &Job::default()).unwrap();
+        let flow = Arc::new(flow(samples.points(), all_inner, &Job::default()));
+        let complex = FlowComplex::new(&flow, &Job::default()).unwrap();
+        let found = complex.validate(&Job::default()).unwrap();
+        assert!(found.first.is_none(), "{shape:?} {seed}: {found:?}");
+    }
+}
+
 /// Its Voronoi cell would be a void, were it not open to the outside by one facet, which no extension may close.
 #[test]
 fn a_sample_within_the_solid_makes_no_void() {
