@@ -49,7 +49,7 @@ test-rust:
 	RUSTDOCFLAGS='-D warnings' cargo doc --locked --no-deps
 	cargo test --locked
 	for threads in 1 3 8; do MEDAX_THREADS=$$threads cargo test --locked --lib --test structures || exit 1; done
-	cargo test --locked $(COUNTED) stages
+	CARGO_PROFILE_TEST_OPT_LEVEL=0 cargo test --locked $(COUNTED) stages
 
 # C, C++ against CGAL and OpenMesh, and consumers, all through an installed package that was moved.
 test-package:

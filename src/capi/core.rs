@@ -65,7 +65,7 @@ pub struct medax_core_report {
     pub of_surface: u64,
     /// The number of those on the other side of the surface, which are left out.
     pub elsewhere: u64,
-    /// The number of those whose flow comes to a critical point of the surface, or of the other side, which are left out.
+    /// The number of those whose flow comes to a critical point of the surface, or of the other side, and of those that stay open for a sample within the solid when the core is repaired; they are left out.
     pub leaving: u64,
     /// The number of faces and loose edges of the core itself that are left out, since they are unbounded.
     pub unbounded: u64,

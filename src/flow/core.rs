@@ -1,11 +1,9 @@
 //! The core: the flow closure of the critical points of the medial axis, alone or with that of Voronoi facets.
 
 use super::closure::Subset;
-use super::critical::CriticalClass;
 use super::simplex::{Simplex, VoronoiSet};
 use super::source::Source;
 use super::subdivision::Subdivision;
-use super::upstream::Upstream;
 use super::{Flow, inner};
 use crate::complex::Complex;
 use crate::error::{ElementKind, Error, Result, Status};
@@ -110,43 +108,28 @@ impl Flow {
         let of_core = || self.simplices_of(options.side).filter(|&face| !is_open(face));
         let before = candidates.len();
         candidates.retain(|&facet| !is_open(Simplex::Edge(facet)));
-        let flowing = || candidates.iter().map(|&facet| Simplex::Edge(facet));
+        self.retain_staying(&source, options.side, &mut candidates, &mut room, run)?;
+        excluded.leaving = before - candidates.len();
+        let flowing = || of_core().chain(candidates.iter().map(|&facet| Simplex::Edge(facet)));
         let rest = match &inner {
-            Some(inner) => {
-                let core = of_core().chain(flowing());
-                Some(inner::rest(self, &source, inner, core, &mut room, run)?)
-            }
+            Some(inner) => Some(inner::rest(self, &source, inner, flowing(), &mut room, run)?),
             None => None,
         };
-        let mut set = match &rest {
-            None => VoronoiSet::touched(&source, of_core().chain(flowing()), None, &mut room, run)?,
-            Some(rest) => {
-                let seeds = of_core().chain(rest.seeds.iter().copied());
-                VoronoiSet::touched(&source, seeds, inner.as_ref(), &mut room, run)?
-            }
-        };
+        let from = rest.iter().flat_map(|rest| rest.seeds.iter().copied());
+        let from = flowing().chain(from);
+        let mut set = VoronoiSet::touched(&source, from, inner.as_ref(), &mut room, run)?;
         if let Some(rest) = &rest {
             set.unite(&rest.faces);
-            if !candidates.is_empty() {
-                set.unite(&VoronoiSet::touched(&source, flowing(), None, &mut room, run)?);
-            }
         }
         let its = Subdivision::new(&source, &set, &mut room, run)?;
         drop(set);
         run.enter(Stage::Extract)?;
-        if !candidates.is_empty() {
-            let leaving = self.leaving(&its, options.side, &mut room, run)?;
-            candidates
-                .retain(|&facet| !its.faces_of(facet).any(|face| leaving.has_face[face as usize]));
-        }
-        excluded.leaving = before - candidates.len();
-        let flowing = candidates.iter().map(|&facet| Simplex::Edge(facet));
         let mut core = Subset::new(&its, &mut room)?;
         let within = match &inner {
             Some(inner) => Some(inner::elements(&its, &source, inner, &mut room, run)?),
             None => None,
         };
-        let seeds = of_core().chain(flowing).flat_map(|face| its.elements_of(face));
+        let seeds = flowing().flat_map(|face| its.elements_of(face));
         core.add(&its, seeds, within.as_ref(), &mut room, run)?;
         if let (Some(rest), Some(within)) = (&rest, &within) {
             let mut all = core.clone();
@@ -202,33 +185,5 @@ impl Flow {
             _ => true,
         });
         Ok((candidates, excluded))
-    }
-
-    /// The elements whose flow comes to a critical point that does not belong to the axis of a side.
-    fn leaving(
-        &self,
-        its: &Subdivision,
-        side: Side,
-        room: &mut Room<'_>,
-        run: &Run<'_>,
-    ) -> Result<Subset> {
-        let upstream = Upstream::new(its, room, run)?;
-        let others = self.critical.simplices().iter().zip(self.critical.classes());
-        let others = others.filter(|(_, class)| !class.is_on(side));
-        let ends = others.flat_map(|(&simplex, _)| its.elements_at(simplex));
-        let mut leaving = Subset::new(its, room)?;
-        upstream.add_to(&mut leaving, ends, room, run)?;
-        Ok(leaving)
-    }
-}
-
-impl CriticalClass {
-    /// Whether a point belongs to the medial axis of a side.
-    fn is_on(self, side: Side) -> bool {
-        match self {
-            CriticalClass::Surface => false,
-            CriticalClass::Inner => side != Side::Outer,
-            CriticalClass::Outer => side != Side::Inner,
-        }
     }
 }

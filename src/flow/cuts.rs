@@ -200,6 +200,9 @@ impl Tracer<'_> {
                     room.push(&mut released, self.source.drivers.longest[side as usize])?;
                 }
             }
+            if self.set.whole[facet as usize] {
+                continue;
+            }
             self.entries(&outline, &mut list, &mut entries);
             if !entries.is_empty() {
                 room.grow(&mut cuts, entries.len())?;

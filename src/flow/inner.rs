@@ -82,6 +82,8 @@ pub(super) fn rest(
     let mut faces = VoronoiSet::closed(source, all, inner, room, run)?;
     faces.collapse(source, &round, room, run)?;
     faces.subtract(&round);
+    // All of them is kept.
+    faces.whole.clone_from(&faces.facets);
     let mut from = Vec::new();
     for seed in seeds(flow, source, inner).filter(|&seed| round.has(seed)) {
         room.push(&mut from, seed)?;

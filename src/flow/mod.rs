@@ -10,6 +10,7 @@ mod cuts;
 mod drivers;
 mod extract;
 mod inner;
+mod leaving;
 mod orbit;
 mod outline;
 mod place;

@@ -84,6 +84,8 @@ pub(super) struct VoronoiSet {
     pub facets: Vec<bool>,
     pub edges: Vec<bool>,
     pub vertices: Vec<bool>,
+    /// Facets that stay in one piece: whatever flows into them is taken to flow to all of them.
+    pub whole: Vec<bool>,
 }
 
 impl VoronoiSet {
@@ -93,6 +95,7 @@ impl VoronoiSet {
             facets: room.filled(source.facets.len(), value)?,
             edges: room.filled(source.triangles.len(), value)?,
             vertices: room.filled(source.dual.triangulation().cells().len(), value)?,
+            whole: room.filled(source.facets.len(), false)?,
         })
     }
 
@@ -109,6 +112,7 @@ impl VoronoiSet {
     /// Adds what another set has.
     pub fn unite(&mut self, other: &VoronoiSet) {
         self.combine(other, |its, other| its | other);
+        self.whole.iter_mut().zip(&other.whole).for_each(|(its, other)| *its |= other);
     }
 
     /// Takes off what another set has.

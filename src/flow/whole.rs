@@ -63,7 +63,7 @@ impl VoronoiSet {
     }
 
     /// Adds a face alone; `false` if the set had it. Voronoi cells are never added.
-    fn insert(&mut self, face: Simplex) -> bool {
+    pub fn insert(&mut self, face: Simplex) -> bool {
         let flag = match face {
             Simplex::Sample(_) => return false,
             Simplex::Edge(facet) => &mut self.facets[facet as usize],
@@ -102,7 +102,7 @@ impl VoronoiSet {
                 FlowElement::Face(facet) => Simplex::Edge(facet),
             })
         };
-        let VoronoiSet { facets, edges, vertices } = self;
+        let VoronoiSet { facets, edges, vertices, .. } = self;
         collapse(Flags { vertices, edges, faces: facets }, is_kept, rim_of, ends_of, room, run)
     }
 

@@ -4,7 +4,7 @@ use crate::flow_reference::held_center;
 use crate::medial::{dual_of, labels_of, samples};
 use crate::sets::{self, Random};
 use medax::dual::DualOptions;
-use medax::flow::{CoreOptions, Flow, FlowComplex, FlowElement, FlowOptions, Simplex};
+use medax::flow::{CoreOptions, CriticalClass, Flow, FlowComplex, FlowElement, FlowOptions, Simplex};
 use medax::sample::{SampleOptions, Shape, sample};
 use medax::{Dual, Job, JobOptions, Labels, Status};
 use std::collections::BTreeMap;
@@ -69,20 +69,25 @@ fn the_critical_points_of_a_cube_are_the_middles_of_its_parts() {
     assert_eq!(sums.len(), 8 + 12 + 6 + 1);
 }
 
-/// On a sheet without holes all flows to one point: cut along the orbits of all Voronoi vertices it would have the more faces a sample the more samples there are.
+/// On a sheet without holes all flows to one point: cut along the orbits of all Voronoi vertices it would have the more faces a sample the more samples there are. Neither a core needs that
+/// nor one that is extended by all of the sheet.
 #[test]
-fn a_core_of_a_sheet_takes_memory_in_proportion_to_its_samples() {
+fn cores_of_a_sheet_take_memory_in_proportion_to_its_samples() {
     let shape = Shape::Ellipsoid;
     let bytes = [0.1, 0.05].map(|spacing| {
         let dual = dual_of(&samples(shape, spacing), &Job::default());
         let labels = labels_of(shape, &dual);
         let flow = Flow::new(&dual, &labels, Default::default(), &Job::default()).unwrap();
-        let job = Job::default();
-        let core = flow.core(CoreOptions::default(), &[], &job).unwrap();
-        assert_eq!(core.complex().topology(&Job::default()).unwrap().betti, [1, 0, 0]);
-        job.memory_peak() as f64 / dual.triangulation().coords().len() as f64
+        let all: Vec<u32> = (0..dual.facets().unwrap().len() as u32).collect();
+        [&[][..], &all].map(|facets| {
+            let job = Job::default();
+            let core = flow.core(CoreOptions::default(), facets, &job).unwrap();
+            assert_eq!(core.complex().topology(&Job::default()).unwrap().betti, [1, 0, 0]);
+            job.memory_peak() as f64 / dual.triangulation().coords().len() as f64
+        })
     });
-    assert!(bytes[1] < 1.2 * bytes[0], "{bytes:?}");
+    let [coarse, fine] = bytes;
+    assert!((0..2).all(|i| fine[i] < 1.2 * coarse[i]), "{bytes:?}");
 }
 
 #[test]
@@ -213,6 +218,46 @@ fn a_sample_within_the_solid_makes_no_void() {
         let betti = core.complex().topology(&Job::default()).unwrap().betti;
         assert_eq!(betti, [1, 0, 0], "{} facets", facets.len());
     }
+}
+
+/// Theorem 3.17 facet by facet, in the complex of which every facet is cut; here those are that a search of whole Voronoi faces suspects.
+#[test]
+fn facets_that_cannot_extend_a_core_are_those_whose_closures_have_other_critical_points() {
+    let job = Job::default();
+    let rows = samples(Shape::Trefoil, 0.25);
+    let flow = Arc::new(flow(&rows, |dual| labels_of(Shape::Trefoil, dual), &job));
+    let all = FlowComplex::new(&flow, &job).unwrap();
+    let cells = flow.dual().centers().len();
+    let critical = flow.critical();
+    let class: BTreeMap<Simplex, CriticalClass> =
+        critical.simplices().iter().copied().zip(critical.classes().iter().copied()).collect();
+    let is_other = |simplex| class[&simplex] != CriticalClass::Inner;
+    let (mut staying, mut leaving) = (Vec::new(), 0);
+    for facet in 0..flow.dual().facets().unwrap().len() as u32 {
+        let options = CoreOptions { repair: false, ..Default::default() };
+        let core = flow.core(options, &[facet], &job).unwrap();
+        if core.taken() + core.excluded().leaving == 0 {
+            continue;
+        }
+        let own = all.elements_of(Simplex::Edge(facet)).unwrap();
+        let is_left = all.closure(&own, &job).unwrap().into_iter().any(|element| match element {
+            FlowElement::Vertex(v) if all.edge_of_vertex()[v as usize] == medax::NONE => {
+                is_other(match (v as usize).checked_sub(cells) {
+                    None => Simplex::Cell(v),
+                    Some(point) => Simplex::Triangle(all.triangle_of_point()[point]),
+                })
+            }
+            _ => false,
+        });
+        let is_left = is_left || class.get(&Simplex::Edge(facet)).is_some_and(|c| *c != CriticalClass::Inner);
+        assert_eq!(core.excluded().leaving, usize::from(is_left), "facet {facet}");
+        if is_left { leaving += 1 } else { staying.push(facet) }
+    }
+    assert!(leaving > 5 && staying.len() > 100, "{leaving} {}", staying.len());
+    // All at once they are the same.
+    let facets: Vec<u32> = (0..flow.dual().facets().unwrap().len() as u32).collect();
+    let core = flow.core(CoreOptions::default(), &facets, &job).unwrap();
+    assert_eq!((core.taken(), core.excluded().leaving), (staying.len(), leaving));
 }
 
 /// What comes to a Voronoi vertex goes on from there as all that does, however many samples tie.

@@ -3,6 +3,7 @@
 use medax::medial::{MedialFilter, MedialRule, Side};
 use std::f64::consts::PI;
 use std::fmt::{self, Display, Formatter};
+use std::mem;
 use std::str::FromStr;
 
 /// Thresholds that a facet must pass.
@@ -22,7 +23,9 @@ impl FromStr for Extend {
         for part in text.split(',') {
             let (name, value) = match part.split_once('=') {
                 None if part == "medial" => {
-                    extend.medial = true;
+                    if mem::replace(&mut extend.medial, true) {
+                        return Err("medial is given twice".into());
+                    }
                     continue;
                 }
                 Some(pair) => pair,
@@ -38,7 +41,9 @@ impl FromStr for Extend {
             if !(0.0..=most).contains(&number) {
                 return Err(format!("{name} cannot be {value}"));
             }
-            *place = Some(number);
+            if place.replace(number).is_some() {
+                return Err(format!("{name} is given twice"));
+            }
         }
         Ok(extend)
     }

@@ -8,7 +8,7 @@ use crate::side::Side;
 use medax::dual::{Dual, DualOptions};
 use medax::flow::{Core, CoreOptions, CriticalClass, Flow, FlowComplex, FlowOptions};
 use medax::medial::{self, Medial, MedialOptions};
-use medax::{Complex, Error, Status, Triangulation};
+use medax::{Complex, ElementKind, Error, Status, Triangulation};
 use serde_json::{Map, json};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -25,16 +25,16 @@ pub struct Options {
     #[command(flatten)]
     what: What,
     /// The side of the surface whose core is written
-    #[arg(long, value_enum, default_value_t = Side::Inner)]
+    #[arg(long, value_enum, default_value_t = Side::Inner, conflicts_with_all = NO_CORE)]
     side: Side,
     #[command(flatten)]
     labels: LabelArguments,
     /// Extend the core by the flow of the Voronoi facets that pass a filter of `medax medial`: medial, angle=DEGREES (the object angle), lambda=LENGTH,
     /// scale=FACTOR, or several, joined by commas, all of which they must pass
-    #[arg(long, value_name = "FILTER")]
+    #[arg(long, value_name = "FILTER", conflicts_with_all = NO_CORE)]
     extend: Option<Extend>,
     /// Do not repair the inner core where the sample is too sparse for it to have the homotopy type of the solid
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = NO_CORE)]
     plain: bool,
     /// The slope above which a critical point belongs to the medial axis and not to the surface: the mean cosine between its directions from its nearest
     /// samples and their poles
@@ -43,6 +43,9 @@ pub struct Options {
     #[command(flatten)]
     validate: ValidateOptions,
 }
+
+/// What is written instead of a core.
+const NO_CORE: [&str; 4] = ["critical", "orbits", "manifold", "complex"];
 
 /// What is written.
 #[derive(clap::Args)]
@@ -76,7 +79,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     let (points, input) = session.points(&options.input, &soup, &options.read)?;
     drop(soup);
     let starts = match &options.what.orbits {
-        Some(path) => Some((path, session.read(path)?.vertices().to_vec())),
+        Some(path) => Some((path, options.starts(path, session)?)),
         None => None,
     };
     let triangulation = Arc::new(Triangulation::delaunay(&points, &session.job)?);
@@ -146,6 +149,20 @@ impl Options {
         }
     }
 
+    /// The points whose orbits are asked for.
+    fn starts(&self, path: &Path, session: &mut Session) -> Result<Vec<[f64; 3]>, Failure> {
+        let mut starts = session.read(path)?.vertices().to_vec();
+        if self.read.skip_invalid {
+            let all = starts.len();
+            starts.retain(|start| start.iter().all(|x| x.is_finite()));
+            if starts.len() < all {
+                let message = format!("skipped {} of the points of", all - starts.len());
+                session.warn(&format!("{message} {}", path.display()));
+            }
+        }
+        Ok(starts)
+    }
+
     /// The core, extended by the facets that pass.
     fn core(&self, flow: &Flow, session: &mut Session) -> Result<Core, Failure> {
         let side = match self.side {
@@ -171,7 +188,8 @@ impl Options {
         let chosen = self.what.manifold.iter().map(|&row| {
             simplices.get(row as usize).copied().ok_or_else(|| {
                 let message = format!("--manifold {row}: there are {} of them", simplices.len());
-                Failure::from(Error::new(Status::InvalidArgument, message))
+                let error = Error::new(Status::InvalidArgument, message);
+                Failure::from(error.at(ElementKind::Row, u64::from(row)))
             })
         });
         let chosen = chosen.collect::<Result<Vec<_>, _>>()?;

@@ -31,7 +31,7 @@ pub struct Options {
 pub struct ReadOptions {
     /// Leave out rows with a NaN or an infinity instead of failing
     #[arg(long)]
-    skip_invalid: bool,
+    pub skip_invalid: bool,
 }
 
 impl ReadOptions {
