@@ -33,7 +33,7 @@ use report::Report;
 use session::{Failure, Session};
 use std::process::ExitCode;
 
-/// Samples of a surface in; triangulations, poles, power crusts, medial axes and cores out.
+/// Samples of a surface, meshes and plane figures in; triangulations, poles, power crusts, medial axes and cores out.
 #[derive(Parser)]
 #[command(version, arg_required_else_help = true)]
 struct Arguments {
