@@ -58,8 +58,13 @@ impl BoundaryOptions {
     }
 }
 
-/// The faces and loose edges of a file, or its points where it has neither.
-pub fn mesh(path: &Path, report: &mut Report, session: &mut Session) -> Result<Boundary, Failure> {
+/// The faces and loose edges of a file, or its points where it has neither. Whether sides matter decides on a warning.
+pub fn mesh(
+    path: &Path,
+    sides_matter: bool,
+    report: &mut Report,
+    session: &mut Session,
+) -> Result<Boundary, Failure> {
     let about = Failure::about(path);
     let soup = session.read(path)?;
     let is_mesh = soup.is_mesh();
@@ -71,7 +76,7 @@ pub fn mesh(path: &Path, report: &mut Report, session: &mut Session) -> Result<B
     report.input = Input::of_mesh(path, &mesh, count - mesh.vertices().len());
     let has_inside = !mesh.faces().is_empty();
     let topology = mesh.topology(&session.job)?;
-    if has_inside && !(topology.closed && topology.oriented) {
+    if sides_matter && has_inside && !(topology.closed && topology.oriented) {
         session.warn("the faces are no closed surface: inside is where they wind round a point more than half a time");
     }
     let sites = Sites::of_complex(&Arc::new(mesh), &session.job).map_err(&about)?;

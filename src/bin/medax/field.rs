@@ -67,11 +67,14 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     let mut report = Report { command: "field", ..Report::default() };
     let Boundary { sites, has_inside, crossings } = match is_figure(&options.input) {
         true => options.boundary.figure(&options.input, &mut report, session)?,
-        false => boundary::mesh(&options.input, &mut report, session)?,
+        false => {
+            let sides_matter = options.side != Side::Both;
+            boundary::mesh(&options.input, sides_matter, &mut report, session)?
+        }
     };
     if crossings > 0 && options.is_graph() {
         let message = format!(
-            "{crossings} pairs of edges or circles cross or touch, so that there is no graph; give --points"
+            "curves that cross or touch have no graph, and here {crossings} pairs do; give --points"
         );
         return Err(Failure::about(&options.input)(Error::new(Status::Unsupported, message)));
     }
@@ -111,7 +114,8 @@ impl Options {
         ];
         for (name, length) in lengths {
             if let Some(length) = length.filter(|length| !(0.0..f64::INFINITY).contains(length)) {
-                return Err(Failure::usage(format!("{name} must not be negative: {length:?}")));
+                let message = format!("{name} must be 0 or more and finite, not {length:?}");
+                return Err(Failure::usage(message));
             }
         }
         let angle = self.object_degrees;
@@ -339,5 +343,5 @@ fn length(complex: &Complex) -> f64 {
         let (a, b) = (at(a), at(b));
         (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
     };
-    complex.edges().iter().map(edge).sum()
+    complex.edges().iter().map(edge).fold(0.0, |all, length| all + length)
 }

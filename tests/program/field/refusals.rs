@@ -95,8 +95,8 @@ fn info_tells_what_a_figure_holds() {
     let features = [
         polygon("a", &json!([square(0.0, 0.0, 4.0), square(1.0, 1.0, 1.0)])),
         feature(&Value::Null, "LineString", &json!([[5, 0], [5, 0], [6, 1]])),
-        feature(&Value::Null, "MultiPoint", &json!([[8, 0], [8, 1]])),
-        feature(&json!({ "radius": 2 }), "Point", &json!([12, 2])),
+        feature(&Value::Null, "MultiPoint", &json!([[8, 0], [20, 1]])),
+        feature(&json!({ "radius": 1 }), "Point", &json!([12, 2])),
     ];
     place.figure("in.geojson", &features);
     let info = place.json("info in.geojson");
@@ -106,7 +106,7 @@ fn info_tells_what_a_figure_holds() {
     });
     assert_eq!(info["figure"], expected);
     assert_eq!(info["bounds"]["min"], json!([0.0, 0.0, 0.0]));
-    assert_eq!(info["bounds"]["max"], json!([14.0, 4.0, 0.0]));
+    assert_eq!(info["bounds"]["max"], json!([20.0, 4.0, 0.0]));
     assert_eq!((&info["topology"], &info["counts"]["vertices"]), (&Value::Null, &12.into()));
     let table = place.run("info in.geojson");
     let words = "polygons 1, holes 1, polylines 1, points 2, circles 1";
