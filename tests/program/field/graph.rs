@@ -95,7 +95,7 @@ fn lengths_of_an_l_and_of_a_ring_are_known() {
     assert_eq!(betti(&report), &json!([1, 1, 0]));
     assert_eq!(report["figure"]["holes"], 1);
     assert!((number(&report["field"]["length"]) - exact).abs() < 1e-4, "{report} {exact}");
-    // What is within 30 degrees of a corner of the outer ring goes first, the loop never.
+    // On the ways into the corners the object angle is 90 degrees, on the loop it is more.
     let thinned =
         place.json("field ring.geojson --density 0.01 --object-degrees 91 --min-distance 0.5");
     assert_eq!(betti(&thinned), &json!([1, 1, 0]));
