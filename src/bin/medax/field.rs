@@ -74,7 +74,7 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     };
     if crossings > 0 && options.is_graph() {
         let message = format!(
-            "curves that cross or touch have no graph, and here {crossings} pairs do; give --points"
+            "curves that cross or touch have no graph (pairs of them: {crossings}); give --points"
         );
         return Err(Failure::about(&options.input)(Error::new(Status::Unsupported, message)));
     }
