@@ -6,7 +6,7 @@ use medax::io::{
     FeatureChoice, Format, ReadFigureOptions, parse, parse_figure, read_figure, read_points,
 };
 use medax::points::PointsOptions;
-use medax::{Error, Figure, Job, JobOptions, Status};
+use medax::{ElementKind, Error, Figure, Job, JobOptions, Status};
 
 fn read(text: &str) -> Result<Figure, Error> {
     parse_figure(text.as_bytes(), &ReadFigureOptions::default(), &Job::default())
@@ -197,4 +197,56 @@ fn reading_counts_its_memory_and_stops() {
     let job = Job::new(JobOptions { progress, ..JobOptions::default() });
     let error = parse_figure(long.as_bytes(), &options, &job).unwrap_err();
     assert_eq!(error.status(), Status::Cancelled);
+}
+
+#[test]
+fn errors_name_the_feature_where_there_are_several() {
+    let feature = |properties: &str, kind: &str, coordinates: &str| {
+        format!(
+            r#"{{"type":"Feature","properties":{properties},"geometry":{{"type":"{kind}","coordinates":{coordinates}}}}}"#
+        )
+    };
+    let ring = "[[[0,0],[4,0],[0,4]]]";
+    let line = "[[20,0],[21,0]]";
+    let sound = [
+        feature(r#"{"name":"a"}"#, "Polygon", ring),
+        feature("null", "LineString", line),
+        feature(r#"{"id":7}"#, "Point", "[30,0]"),
+        feature(r#"{"radius":1}"#, "Point", "[40,0]"),
+    ];
+    let said = |wrong: &str, feature: &FeatureChoice| {
+        let features =
+            sound.iter().map(String::as_str).chain([wrong]).collect::<Vec<_>>().join(",");
+        let text = format!(r#"{{"type":"FeatureCollection","features":[{features}]}}"#);
+        let options = ReadFigureOptions { feature: feature.clone(), ..Default::default() };
+        let error = parse_figure(text.as_bytes(), &options, &Job::default()).unwrap_err();
+        (error.message().to_string(), error.element().unwrap())
+    };
+    for (wrong, begins, element) in [
+        (
+            feature(r#"{"name":"b"}"#, "Polygon", "[[[50,0],[54,0],[58,0]]]"),
+            "feature 4 'b': a ring has no area",
+            (ElementKind::Ring, 1),
+        ),
+        (
+            feature("null", "MultiLineString", "[[[50,0],[51,0]],[[60,0],[60,0]]]"),
+            "feature 4: a polyline needs",
+            (ElementKind::Polyline, 2),
+        ),
+        (feature("null", "Point", "[50,1e100]"), "feature 4: ", (ElementKind::Row, 1)),
+        (
+            feature(r#"{"radius":1,"name":"c"}"#, "Point", "[41.5,0]"),
+            "feature 3: circle 0",
+            (ElementKind::Circle, 0),
+        ),
+    ] {
+        let (message, at) = said(&wrong, &FeatureChoice::All);
+        assert!(message.starts_with(begins), "{message}");
+        assert_eq!(at, element, "{message}");
+    }
+    // Elements are counted over the chosen features, these over the file.
+    let wrong = feature(r#"{"name":"b"}"#, "Polygon", "[[[50,0],[54,0],[58,0]]]");
+    let (message, at) = said(&wrong, &FeatureChoice::Named("b".into()));
+    assert!(message.starts_with("feature 4 'b': "), "{message}");
+    assert_eq!(at, (ElementKind::Ring, 0));
 }

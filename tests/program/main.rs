@@ -3,6 +3,7 @@
 #![cfg(feature = "program")]
 
 mod axes;
+mod field;
 mod flow;
 mod process;
 mod refusals;

@@ -1,23 +1,34 @@
 //! `medax info`: what a file holds.
 
+use crate::figure::{FeatureOptions, is_figure};
 use crate::report::{Counts, Input, Report, topology_json, topology_line};
 use crate::session::{Failure, ReadOptions, Session};
 use medax::complex::Element;
+use medax::figure::Crossings;
 use medax::io::Soup;
 use medax::points::Bounds;
 use serde_json::{Map, Value, json};
 use std::path::PathBuf;
 
-/// Say what a file of points or a mesh holds: counts, extent, topology, self-intersections
+/// Say what a file of points, a mesh or a plane figure holds: counts, extent, topology, self-intersections
 #[derive(clap::Args)]
 pub struct Options {
     /// The file
     input: PathBuf,
     #[command(flatten)]
     read: ReadOptions,
+    #[command(flatten)]
+    feature: FeatureOptions,
 }
 
 pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> {
+    if is_figure(&options.input) {
+        return figure(options, session);
+    }
+    if let Some(name) = options.feature.given() {
+        let message = format!("{name} is for plane figures, which GeoJSON files hold");
+        return Err(Failure::usage(message));
+    }
     let soup = session.read(&options.input)?;
     let mut report = Report { command: "info", ..Report::default() };
     options.read.describe(&mut report.parameters);
@@ -26,13 +37,8 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     let mut bounds = Value::Null;
     if !is_empty {
         let (points, input) = session.points(&options.input, &soup, &options.read)?;
-        let Bounds { min, max } = points.bounds();
-        let diagonal = points.bounds().diagonal();
-        bounds = json!({ "min": min, "max": max, "diagonal": diagonal });
         report.input = input;
-        report.lines.push(("from", format!("{min:?}")));
-        report.lines.push(("to", format!("{max:?}")));
-        report.lines.push(("diagonal", format!("{diagonal}")));
+        bounds = extent(points.bounds(), &mut report);
     }
     report.more.insert("bounds".into(), bounds);
     report.more.insert("attributes".into(), attributes_json(&soup));
@@ -64,6 +70,33 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
     report.more.insert("self_intersecting_pairs".into(), json!(intersections));
     report.more.insert("measure".into(), json!({ "area": measure.area, "volume": volume }));
     Ok(report)
+}
+
+/// A plane figure: whatever crosses is counted.
+fn figure(options: &Options, session: &Session) -> Result<Report, Failure> {
+    let mut report = Report { command: "info", ..Report::default() };
+    options.read.describe(&mut report.parameters);
+    options.feature.describe(&mut report);
+    let figure = options.feature.read(&options.input, Crossings::Accept, &mut report, session)?;
+    let vertices = Some(figure.vertices().len() as u64);
+    report.counts = Counts { vertices, ..Counts::default() };
+    let bounds = extent(figure.bounds(), &mut report);
+    report.more.insert("bounds".into(), bounds);
+    report.more.insert("attributes".into(), json!([]));
+    for name in ["topology", "self_intersecting_pairs", "measure"] {
+        report.more.insert(name.into(), Value::Null);
+    }
+    Ok(report)
+}
+
+/// The smallest box, for scripts and in lines.
+fn extent(bounds: &Bounds, report: &mut Report) -> Value {
+    let Bounds { min, max } = bounds;
+    let diagonal = bounds.diagonal();
+    report.lines.push(("from", format!("{min:?}")));
+    report.lines.push(("to", format!("{max:?}")));
+    report.lines.push(("diagonal", format!("{diagonal}")));
+    json!({ "min": min, "max": max, "diagonal": diagonal })
 }
 
 fn triangle_pairs(count: usize) -> String {

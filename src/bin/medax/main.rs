@@ -3,11 +3,14 @@
 //! A command reads its input, calls the library, writes its outputs and fills in a [`Report`];
 //! what to print, and the exit code, is decided here and in `report.rs`.
 
+mod boundary;
 mod cocone;
 mod compare;
 mod crust;
 mod decimate;
 mod extend;
+mod field;
+mod figure;
 mod flatten;
 mod flow;
 mod info;
@@ -30,7 +33,7 @@ use report::Report;
 use session::{Failure, Session};
 use std::process::ExitCode;
 
-/// Samples of a surface in; triangulations, poles, power crusts, medial axes and cores out.
+/// Samples of a surface, meshes and plane figures in; triangulations, poles, power crusts, medial axes and cores out.
 #[derive(Parser)]
 #[command(version, arg_required_else_help = true)]
 struct Arguments {
@@ -48,6 +51,7 @@ enum Command {
     Cocone(cocone::Options),
     Medial(Box<medial::Options>),
     Flow(Box<flow::Options>),
+    Field(Box<field::Options>),
     Info(info::Options),
     Compare(compare::Options),
     Decimate(decimate::Options),
@@ -64,6 +68,7 @@ impl Command {
             Command::Cocone(options) => cocone::run(options, session),
             Command::Medial(options) => medial::run(options, session),
             Command::Flow(options) => flow::run(options, session),
+            Command::Field(options) => field::run(options, session),
             Command::Info(options) => info::run(options, session),
             Command::Compare(options) => compare::run(options, session),
             Command::Decimate(options) => decimate::run(options, session),

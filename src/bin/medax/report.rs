@@ -2,6 +2,7 @@
 
 use crate::session::{Failure, Session};
 use medax::complex::{Element, Topology};
+use medax::figure::Figure;
 use medax::io::Soup;
 use medax::points::Points;
 use medax::{Complex, NONE, StageTime, Status};
@@ -38,6 +39,17 @@ impl Input {
             skipped: Some((points.skipped_count() - unused) as u64),
             unused: Some(unused as u64),
         }
+    }
+
+    /// A mesh of which only the vertices that its faces and edges use are taken.
+    pub fn of_mesh(path: &Path, complex: &Complex, unused: usize) -> Self {
+        Input { unused: Some(unused as u64), ..Input::of_complex(path, complex) }
+    }
+
+    /// A plane figure.
+    pub fn of_figure(path: &Path, figure: &Figure) -> Self {
+        let points = Some(figure.vertices().len() as u64);
+        Input { path: Some(path.to_path_buf()), points, ..Input::default() }
     }
 
     /// A file that is taken as it is.

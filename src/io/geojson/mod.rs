@@ -44,7 +44,7 @@ pub struct ReadFigureOptions {
 /// greater than 0. Further coordinates, and members that are not known, are passed over. Rings are counted over the chosen features.
 ///
 /// Errors: [`Status::Format`] with the line where the bytes are malformed, with byte 0 where there are none;
-/// [`Status::InvalidArgument`] where no feature has the name or number; those of [`Figure::new`].
+/// [`Status::InvalidArgument`] where no feature has the name or number; those of [`Figure::new`], which name the feature, too.
 /// Cost: that of [`Figure::new`].
 pub fn parse_figure(bytes: &[u8], options: &ReadFigureOptions, job: &Job) -> Result<Figure> {
     job.run(&[(Stage::Read, 0.5), (Stage::Order, 0.5)], |run| {
@@ -72,4 +72,5 @@ pub(super) fn parse_figure_in(
         .map_err(|error| source.error(&error))?;
     collector.check_choice()?;
     Figure::new_in(collector.parts(), options.figure, run)
+        .map_err(|error| collector.of_feature(error))
 }

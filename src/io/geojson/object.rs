@@ -3,7 +3,7 @@
 use super::FeatureChoice;
 use super::geometry::{Coordinates, GEOMETRIES, Shape};
 use super::source::Source;
-use crate::error::{Error, Status};
+use crate::error::{ElementKind, Error, Status};
 use crate::figure::FigureParts;
 use crate::job::Room;
 use serde_core::de::{
@@ -32,6 +32,17 @@ pub(super) struct Collector<'a> {
     seen: usize,
     chosen: usize,
     names: Vec<String>,
+    features: Vec<Feature>,
+}
+
+/// A chosen feature, for messages: its number, its name, and how much there is up to its end.
+struct Feature {
+    number: usize,
+    name: Option<String>,
+    rings: usize,
+    polylines: usize,
+    points: usize,
+    circles: usize,
 }
 
 /// How much there is before a feature.
@@ -56,6 +67,7 @@ impl<'a> Collector<'a> {
             seen: 0,
             chosen: 0,
             names: Vec::new(),
+            features: Vec::new(),
         }
     }
 
@@ -89,6 +101,23 @@ impl<'a> Collector<'a> {
         Err(Error::new(Status::InvalidArgument, message))
     }
 
+    /// The same error, which names the feature of its element where there are several.
+    pub fn of_feature(&self, error: Error) -> Error {
+        let Some((kind, index)) = error.element().filter(|_| self.seen > 1) else { return error };
+        let count = |feature: &Feature| match kind {
+            ElementKind::Ring => feature.rings,
+            ElementKind::Polyline => feature.polylines,
+            ElementKind::Row => feature.points,
+            ElementKind::Circle => feature.circles,
+            _ => 0,
+        };
+        let at = self.features.partition_point(|feature| count(feature) as u64 <= index);
+        let Some(Feature { number, name, .. }) = self.features.get(at) else { return error };
+        let name = name.as_ref().map_or(String::new(), |name| format!(" '{name}'"));
+        let message = format!("feature {number}{name}: {}", error.message());
+        Error::new(error.status(), message).at(kind, index)
+    }
+
     fn mark(&self) -> Mark {
         Mark {
             lengths: [
@@ -111,8 +140,9 @@ impl<'a> Collector<'a> {
         };
         self.seen += 1;
         self.chosen += usize::from(is_chosen);
-        if let (true, Some(name)) = (self.names.len() < LISTED, traits.names.first()) {
-            self.names.push(name.escape_debug().take(40).collect());
+        let name = || traits.names.first().map(|name| name.escape_debug().take(40).collect());
+        if self.names.len() < LISTED {
+            self.names.extend(name());
         }
         let [rings, ring_offsets, polygons, polylines, polyline_offsets, points] = mark.lengths;
         if !is_chosen {
@@ -127,6 +157,17 @@ impl<'a> Collector<'a> {
                 self.room.push(&mut self.circles, [x, y, radius])?;
             }
             self.points.truncate(points);
+        }
+        if is_chosen {
+            let feature = Feature {
+                number: self.seen - 1,
+                name: name(),
+                rings: self.ring_offsets.len() - 1,
+                polylines: self.polyline_offsets.len() - 1,
+                points: self.points.len(),
+                circles: self.circles.len(),
+            };
+            self.room.push(&mut self.features, feature)?;
         }
         Ok(())
     }
