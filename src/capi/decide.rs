@@ -1,8 +1,8 @@
 //! Decide
 //!
-//! Does a circle or a sphere hold a point of the medial axis? The gradient of the distance points away from what is nearest. Where two points of a circle or
-//! sphere that no part of the boundary enters have gradients that do not go together, the medial axis passes between them; how much such tests may
-//! miss in the plane is known. (Stolpner, Whitesides 2009, Medial axis approximation with bounded error.)
+//! Does a circle or a sphere hold a point of the medial axis? The gradient of the distance points away from what is nearest. Where two
+//! points of a circle or sphere that no part of the boundary enters have gradients that do not go together, the medial axis passes between
+//! them; how much such tests may miss in the plane is known. (Stolpner, Whitesides 2009, Medial axis approximation with bounded error.)
 
 use super::boundary;
 use super::handle::{self, medax_job, medax_sites};
@@ -127,26 +127,29 @@ impl From<&Decision> for medax_decision {
     }
 }
 
-/// Whether a circle of the plane, or a sphere in space, which no part of the boundary enters, holds a point of the medial axis: DECIDEMA2D and DECIDEMA3D of the paper.
+/// Whether a circle of the plane, or a sphere in space, which no part of the boundary enters, holds a point of the medial axis: DECIDEMA2D
+/// and DECIDEMA3D of the paper.
 ///
-/// The gradient is looked at in some points of the circle or sphere, Phi, and with each of them at its opposite, the other one on the line to its nearest point:
-/// together these are Theta. What is not found may be there nonetheless: in the plane #medax_largest_missed_angle says how much, in space nothing is known.
+/// The gradient is looked at in some points of the circle or sphere, Phi, and with each of them at its opposite, the other one on the line
+/// to its nearest point: together these are Theta. What is not found may be there nonetheless: in the plane #medax_largest_missed_angle
+/// says how much, in space nothing is known.
 ///
 /// \param sites The sites.
 /// \param center_xyz The 3 coordinates of the centre; in the plane z is 0.
 /// \param radius The radius in input units.
-/// \param directions `direction_count` x 3 coordinates: the ways from the centre to the points of Phi, of any length but 0, in the plane with z 0; such as those of
-///        #medax_sites_even_directions. NULL only if `direction_count` is 0.
+/// \param directions `direction_count` x 3 coordinates: the ways from the centre to the points of Phi, of any length but 0, in the plane
+///        with z 0; such as those of #medax_sites_even_directions. NULL only if `direction_count` is 0.
 /// \param direction_count The number of directions, at most 2^16.
 /// \param options NULL for the defaults.
 /// \param job NULL for a default job.
 /// \param theta_capacity The number of points for which `out_theta` has room; twice `direction_count` is always enough.
-/// \param out_theta Receives the first `theta_capacity` points of Theta, 3 coordinates each; in the plane they go round counterclockwise. The caller's buffer, NULL only
-///        if `theta_capacity` is 0.
+/// \param out_theta Receives the first `theta_capacity` points of Theta, 3 coordinates each; in the plane they go round counterclockwise.
+///        The caller's buffer, NULL only if `theta_capacity` is 0.
 /// \param out_decision Filled, its `struct_size` being set.
-/// \return `MEDAX_STATUS_OK` whether a medial point was found or not; `INVALID_ARGUMENT` for a radius that is not greater than 0, for a circle or sphere that the
-///         boundary enters, for options that are no lengths, and with its row for a direction without length or out of the plane; `NON_FINITE` for the centre;
-///         `LIMIT_EXCEEDED` for too many directions; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+/// \return `MEDAX_STATUS_OK` whether a medial point was found or not; `INVALID_ARGUMENT` for a radius that is not greater than 0, for a
+///         circle or sphere that the boundary enters, for options that are no lengths, and with its row for a direction without length or
+///         out of the plane; `NON_FINITE` for the centre; `LIMIT_EXCEEDED` for too many directions; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`,
+///         `OUT_OF_MEMORY`.
 ///
 /// One or two queries for each direction, and in the plane for each at most a look at all of Theta. Since 0.1.
 #[unsafe(no_mangle)]
@@ -182,7 +185,8 @@ pub unsafe extern "C" fn medax_sites_decide(
 
 /// Directions spread evenly, for decisions.
 ///
-/// In the plane they go round counterclockwise from that of x; in space they lie on a spiral from pole to pole, each the golden angle further.
+/// In the plane they go round counterclockwise from that of x; in space they lie on a spiral from pole to pole, each the golden angle
+/// further.
 ///
 /// \param sites The sites, whose dimension counts.
 /// \param count The number of directions.
@@ -204,10 +208,11 @@ pub unsafe extern "C" fn medax_sites_even_directions(
     })
 }
 
-/// The largest object angle of a medial point that a circle of the plane can hold unnoticed: arcsin(L / 2R) + arcsin(L / d), theorem 10 of the paper.
+/// The largest object angle of a medial point that a circle of the plane can hold unnoticed: arcsin(L / 2R) + arcsin(L / d), theorem 10 of
+/// the paper.
 ///
-/// It holds for a circle that the boundary does not enter and in which no test found anything, and for points in the convex hull of Theta of which both ways to the nearest points
-/// leave the hull at L or more from the point, and at L or more from the nearest points.
+/// It holds for a circle that the boundary does not enter and in which no test found anything, and for points in the convex hull of Theta
+/// of which both ways to the nearest points leave the hull at L or more from the point, and at L or more from the nearest points.
 ///
 /// \param gap L, the longest arc between neighbours of Theta (#medax_decision).
 /// \param radius R, that of the circle.

@@ -66,8 +66,8 @@ pub unsafe extern "C" fn medax_sites_nearest(
     })
 }
 
-/// Whether each of some points lies inside: in the plane where a ray from there crosses closed curves an odd number of times, decided exactly; in space where the
-/// faces of the mesh wind round it more than half a time. Nothing lies inside of anything else.
+/// Whether each of some points lies inside: in the plane where a ray from there crosses closed curves an odd number of times, decided
+/// exactly; in space where the faces of the mesh wind round it more than half a time. Nothing lies inside of anything else.
 ///
 /// \param sites The sites.
 /// \param query_xyz `query_count` x 3 coordinates, z in the plane as well; NULL only if `query_count` is 0.
@@ -122,7 +122,8 @@ impl AllColumns {
     }
 }
 
-/// All nearest points of the boundary, for each of some points: those of all pieces that are no farther away than the nearest one is and a tolerance.
+/// All nearest points of the boundary, for each of some points: those of all pieces that are no farther away than the nearest one is and a
+/// tolerance.
 ///
 /// \param sites The sites.
 /// \param query_xyz `query_count` x 3 coordinates, z in the plane as well; NULL only if `query_count` is 0.
@@ -130,8 +131,9 @@ impl AllColumns {
 /// \param tolerance A length in input units, not negative.
 /// \param job NULL for a default job.
 /// \param out_all_nearest Receives the answers, which the caller frees with #medax_all_nearest_free.
-/// \return `MEDAX_STATUS_OK`; `NON_FINITE`, or `COORDINATE_RANGE` beyond 2^200, with the row of a query; `INVALID_ARGUMENT` for a tolerance that is negative or
-///         NaN; `LIMIT_EXCEEDED` past 2^32 - 1 nearest points in all; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+/// \return `MEDAX_STATUS_OK`; `NON_FINITE`, or `COORDINATE_RANGE` beyond 2^200, with the row of a query; `INVALID_ARGUMENT` for a tolerance
+///         that is negative or NaN; `LIMIT_EXCEEDED` past 2^32 - 1 nearest points in all; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`,
+///         `OUT_OF_MEMORY`.
 ///
 /// About O(log n + size) a query. Since 0.1.
 #[unsafe(no_mangle)]
@@ -160,8 +162,8 @@ pub unsafe extern "C" fn medax_sites_all_nearest(
 /// The pieces whose points are nearest to each query.
 ///
 /// \param all_nearest The answers, or NULL.
-/// \return One row a query: pieces, which ascend. All other arrays have a row for each of these, one query's after the other's. Borrowed from
-///         `all_nearest`.
+/// \return One row a query: pieces, which ascend. All other arrays have a row for each of these, one query's after the other's. Borrowed
+///         from `all_nearest`.
 ///
 /// Constant time. Since 0.1.
 #[unsafe(no_mangle)]

@@ -1,8 +1,9 @@
 //! Field axis
 //!
-//! Points of the medial axis of sites, as dense as they are asked for, read off the gradient of the distance: APPROXMA2D in the plane, APPROXMA3D in space. Circles or
-//! spheres cover what is looked at, and each is asked whether it holds a medial point (#medax_sites_decide); in the plane each says what it may have missed.
-//! (Stolpner, Whitesides 2009, Medial axis approximation with bounded error.)
+//! Points of the medial axis of sites, as dense as they are asked for, read off the gradient of the distance: APPROXMA2D in the plane,
+//! APPROXMA3D in space. Circles or spheres cover what is looked at, and each is asked whether it holds a medial point
+//! (#medax_sites_decide); in the plane each says what it may have missed. (Stolpner, Whitesides 2009, Medial axis approximation with
+//! bounded error.)
 
 use super::boundary;
 use super::complex;
@@ -25,12 +26,13 @@ use std::sync::Arc;
 pub struct medax_field_axis_options {
     /// The size of this struct in the caller's program.
     pub struct_size: usize,
-    /// Within this distance of what of the medial axis is found there is a point, in input units. 0, the default, asks for a hundredth of #medax_sites_size.
+    /// Within this distance of what of the medial axis is found there is a point, in input units. 0, the default, asks for a hundredth of
+    /// #medax_sites_size.
     pub density: f64,
     /// The least object angle of a point, in radians in [0, pi]; 0 by default.
     pub object_angle: f64,
-    /// The least distance of a point from the boundary, in input units. 0, the default, asks for a quarter of the density in the plane, where it bounds how fine the cover
-    /// gets; in space for nothing.
+    /// The least distance of a point from the boundary, in input units. 0, the default, asks for a quarter of the density in the plane,
+    /// where it bounds how fine the cover gets; in space for nothing.
     pub min_distance: f64,
     /// In the plane the largest object angle that a point may have and be missed, in radians in (0, pi); pi / 9 by default.
     pub bound: f64,
@@ -42,11 +44,13 @@ pub struct medax_field_axis_options {
     pub clip_min: [f64; 3],
     /// The largest corner of that box.
     pub clip_max: [f64; 3],
-    /// 1 for that box; 0, the default, for that of the sites, if the outside is asked for as well as much larger on each side as half its diagonal is long.
+    /// 1 for that box; 0, the default, for that of the sites, if the outside is asked for as well as much larger on each side as half its
+    /// diagonal is long.
     pub has_clip: u32,
     /// A #medax_side of the boundary; `MEDAX_SIDE_INNER` by default. Where there is no inside, as for open curves, all is outside.
     pub side: u32,
-    /// The number of points at which each circle or sphere is looked at, from 12 to 2^20. 0, the default, asks for as many as the bound takes in the plane, for 60 in space.
+    /// The number of points at which each circle or sphere is looked at, from 12 to 2^20. 0, the default, asks for as many as the bound
+    /// takes in the plane, for 60 in space.
     pub samples: u32,
     /// Must be 0.
     pub reserved: u32,
@@ -125,10 +129,12 @@ pub unsafe extern "C" fn medax_field_axis_options_init(
 /// \param options NULL for the defaults.
 /// \param job NULL for a default job.
 /// \param out_axis Receives the points, which the caller frees with #medax_field_axis_free.
-/// \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for options out of range, and without a box for sites that are all rays and lines; `LIMIT_EXCEEDED` where
-///         the density or the least distance ask for more than 2^28 circles or spheres; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+/// \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for options out of range, and without a box for sites that are all rays and lines;
+///         `LIMIT_EXCEEDED` where the density or the least distance ask for more than 2^28 circles or spheres; `NULL_ARGUMENT`,
+///         `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
 ///
-/// In the plane O(length / least distance + area / density^2) circles, in space O(area / density^2) spheres, each some queries for each sample. Since 0.1.
+/// In the plane O(length / least distance + area / density^2) circles, in space O(area / density^2) spheres, each some queries for each
+/// sample. Since 0.1.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn medax_field_axis_build(
     sites: *const medax_sites,
@@ -297,9 +303,9 @@ pub struct medax_cover {
     pub gap: f64,
     /// The distance of the centre from the boundary.
     pub distance: f64,
-    /// The claim: the largest object angle of a point of the medial axis within the square that is at least `min_distance` from the boundary and has no
-    /// point of the result within the density, in radians; 0 where there is such a point. Pi stands for no claim: in space, and where what was found did not
-    /// pass the thresholds.
+    /// The claim: the largest object angle of a point of the medial axis within the square that is at least `min_distance` from the
+    /// boundary and has no point of the result within the density, in radians; 0 where there is such a point. Pi stands for no claim: in
+    /// space, and where what was found did not pass the thresholds.
     pub missed_angle: f64,
     /// The number of points that it gave.
     pub found: u32,
@@ -352,7 +358,8 @@ pub unsafe extern "C" fn medax_field_axis_covers(
 /// What may have been missed in all.
 ///
 /// \param axis The field axis.
-/// \param out_angle Receives the largest object angle that a point beyond the least distance may have and be missed, in radians, where there is a claim; or NULL.
+/// \param out_angle Receives the largest object angle that a point beyond the least distance may have and be missed, in radians, where
+///        there is a claim; or NULL.
 /// \param out_unclaimed Receives the number of covers that make no claim, where it may be any: in space all; or NULL.
 /// \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
 ///
@@ -382,8 +389,8 @@ pub unsafe extern "C" fn medax_field_axis_unconfirmed(axis: *const medax_field_a
     boundary::value(0, || handle::maybe(axis).map_or(0, |a| a.axis.unconfirmed()))
 }
 
-/// The points as vertices, with the attributes `radius`, `object_angle`, `feet` (the two nearest points), `pieces`, `sites` (of these) and `missed_angle` (that of
-/// the cover), for writing.
+/// The points as vertices, with the attributes `radius`, `object_angle`, `feet` (the two nearest points), `pieces`, `sites` (of these) and
+/// `missed_angle` (that of the cover), for writing.
 ///
 /// \param axis The field axis.
 /// \param job NULL for a default job.

@@ -1,7 +1,7 @@
 //! Medial graph
 //!
-//! The medial axis of segments, points and circles in the plane, as a graph: nodes, where arcs meet or end, and arcs. It is followed along the boundary, to the
-//! precision of rounding; without thresholds it has the Betti numbers of the region.
+//! The medial axis of segments, points and circles in the plane, as a graph: nodes, where arcs meet or end, and arcs. It is followed along
+//! the boundary, to the precision of rounding; without thresholds it has the Betti numbers of the region.
 
 use super::boundary;
 use super::complex;
@@ -34,7 +34,8 @@ pub struct medax_medial_graph_options {
     pub clip_min: [f64; 3],
     /// The largest corner of that box.
     pub clip_max: [f64; 3],
-    /// 1 for that box; 0, the default, for that of the sites, if the outside is asked for as well as much larger on each side as half its diagonal is long.
+    /// 1 for that box; 0, the default, for that of the sites, if the outside is asked for as well as much larger on each side as half its
+    /// diagonal is long.
     pub has_clip: u32,
     /// A #medax_side of closed curves; `MEDAX_SIDE_INNER` by default. Without these all is outside.
     pub side: u32,
@@ -92,8 +93,8 @@ pub unsafe extern "C" fn medax_medial_graph_options_init(
 /// \param options NULL for the defaults.
 /// \param job NULL for a default job.
 /// \param out_graph Receives the graph, which the caller frees with #medax_medial_graph_free.
-/// \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for sites in space and options out of range; `UNSUPPORTED` with its row for a line or a ray;
-///         `NULL_ARGUMENT`, `LIMIT_EXCEEDED`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+/// \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for sites in space and options out of range; `UNSUPPORTED` with its row for a line or a
+///         ray; `NULL_ARGUMENT`, `LIMIT_EXCEEDED`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
 ///
 /// O((n + size) log n). Since 0.1.
 #[unsafe(no_mangle)]
@@ -173,8 +174,8 @@ pub unsafe extern "C" fn medax_medial_graph_node_count(graph: *const medax_media
 /// The arcs.
 ///
 /// \param graph The graph, or NULL.
-/// \return One row an arc: its points in order, nodes at both ends included. Where a threshold or the box cuts an arc it ends in a point that is no
-///         node; a loop without nodes has its first point at its end again. Borrowed from `graph`.
+/// \return One row an arc: its points in order, nodes at both ends included. Where a threshold or the box cuts an arc it ends in a point
+///         that is no node; a loop without nodes has its first point at its end again. Borrowed from `graph`.
 ///
 /// Constant time. Since 0.1.
 #[unsafe(no_mangle)]
@@ -188,7 +189,8 @@ pub unsafe extern "C" fn medax_medial_graph_arcs(
     })
 }
 
-/// How many sides of arcs have no other side that agrees with them: 0 but for figures whose parts are apart by next to nothing beside their size.
+/// How many sides of arcs have no other side that agrees with them: 0 but for figures whose parts are apart by next to nothing beside their
+/// size.
 ///
 /// \param graph The graph; NULL has none.
 /// \return How many.
@@ -281,8 +283,8 @@ unsafe fn column<V>(graph: *const medax_medial_graph, read: fn(Option<&MedialPoi
     boundary::value(read(None), || read(handle::maybe(graph).map(|g| &g.points)))
 }
 
-/// The arcs as loose edges. Vertices are the points, with the attributes `radius`, `object_angle`, `feet` (the two nearest points), `pieces`, `sites` (of these) and
-/// `is_node`; edges carry `arc`.
+/// The arcs as loose edges. Vertices are the points, with the attributes `radius`, `object_angle`, `feet` (the two nearest points),
+/// `pieces`, `sites` (of these) and `is_node`; edges carry `arc`.
 ///
 /// \param graph The graph.
 /// \param job NULL for a default job.

@@ -1,7 +1,8 @@
 //! Sites
 //!
-//! What distances are measured to: a boundary, as pieces that belong to sites. A #medax_sites holds points, segments, rays, lines, in the plane
-//! circles, in space triangles and spheres; it is made of a plane figure, of a mesh or polygon soup, or of the pieces themselves, and knows what is inside.
+//! What distances are measured to: a boundary, as pieces that belong to sites. A #medax_sites holds points, segments, rays, lines, in the
+//! plane circles, in space triangles and spheres; it is made of a plane figure, of a mesh or polygon soup, or of the pieces themselves, and
+//! knows what is inside.
 //!
 //! In the plane, dimension 2, every z is 0. Pieces are numbered from 0, sites by the caller.
 
@@ -89,13 +90,15 @@ impl medax_piece {
 /// \param dimension 2 in the plane, 3 in space.
 /// \param pieces `piece_count` pieces.
 /// \param piece_count The number of pieces, at least 1.
-/// \param is_closed In the plane `piece_count` flags: 1 for a piece of a closed curve, 0 for any other; a point is inside where a ray from it crosses
-///        these an odd number of times. NULL: all is outside. Copied.
+/// \param is_closed In the plane `flag_count` flags, one for each piece: 1 for one of a closed curve, 0 for any other; a point is inside
+///        where a ray from it crosses these an odd number of times. NULL only if `flag_count` is 0. Copied.
+/// \param flag_count The number of flags; 0 for none, so that all is outside.
 /// \param job NULL for a default job.
 /// \param out_sites Receives the sites, which the caller frees with #medax_sites_free.
-/// \return `MEDAX_STATUS_OK`; with the row of a piece: `NON_FINITE`, `COORDINATE_RANGE` beyond 2^200, and `INVALID_ARGUMENT` for a kind, a site, a
-///         direction or a radius without meaning, for what does not lie in the plane, and for a flag that is neither 0 nor 1; `INVALID_ARGUMENT` for another
-///         dimension, no pieces, and flags in space; `LIMIT_EXCEEDED` past 2^31 - 1 pieces; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+/// \return `MEDAX_STATUS_OK`; with the row of a piece: `NON_FINITE`, `COORDINATE_RANGE` beyond 2^200, and `INVALID_ARGUMENT` for a kind, a
+///         site, a direction or a radius without meaning, for what does not lie in the plane, and for a flag that is neither 0 nor 1;
+///         `INVALID_ARGUMENT` for another dimension, no pieces, and flags in space; `MISMATCH` unless each piece has a flag;
+///         `LIMIT_EXCEEDED` past 2^31 - 1 pieces; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
 ///
 /// O(n log n). Since 0.1.
 #[unsafe(no_mangle)]
@@ -104,12 +107,12 @@ pub unsafe extern "C" fn medax_sites_create(
     pieces: *const medax_piece,
     piece_count: usize,
     is_closed: *const u8,
+    flag_count: usize,
     job: *const medax_job,
     out_sites: *mut *const medax_sites,
 ) -> medax_status {
     boundary::status(|| {
         let given = view::slice(pieces, piece_count, "pieces")?;
-        let flag_count = if is_closed.is_null() { 0 } else { piece_count };
         let flags = view::slice(is_closed, flag_count, "is_closed")?;
         let out = Out::new(out_sites, "out_sites")?;
         let mut own = None;
@@ -175,17 +178,19 @@ pub unsafe extern "C" fn medax_sites_of_figure(
 
 /// A mesh, open or closed, or polygon soup: one site, number 0.
 ///
-/// Pieces are the triangles of #medax_complex_triangles, then the loose edges as segments, then the vertices that neither uses as points. With triangles the
-/// sites lie in space, and inside is where the faces wind round a point more than half a time; without, they have the dimension of the complex.
+/// Pieces are the triangles of #medax_complex_triangles, then the loose edges as segments, then the vertices that neither uses as points.
+/// With triangles the sites lie in space, and inside is where the faces wind round a point more than half a time; without, they have the
+/// dimension of the complex.
 ///
 /// \param complex The complex, which the sites keep alive.
-/// \param is_closed In the plane `flag_count` flags, one for each piece, as for #medax_sites_create; NULL only if `flag_count` is 0. Copied.
+/// \param is_closed In the plane `flag_count` flags, one for each piece, as for #medax_sites_create; NULL only if `flag_count` is 0.
+///        Copied.
 /// \param flag_count The number of flags; 0 for none.
 /// \param job NULL for a default job.
 /// \param out_sites Receives the sites, which the caller frees with #medax_sites_free.
-/// \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for a complex without vertices, for flags in space, and with its row for a flag that is neither 0 nor 1;
-///         `MISMATCH` unless each piece has a flag; `COORDINATE_RANGE` with the row of a piece; `LIMIT_EXCEEDED` past 2^31 - 1 pieces; `NULL_ARGUMENT`,
-///         `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+/// \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for a complex without vertices, for flags in space, and with its row for a flag that is
+///         neither 0 nor 1; `MISMATCH` unless each piece has a flag; `COORDINATE_RANGE` with the row of a piece; `LIMIT_EXCEEDED` past 2^31
+///         - 1 pieces; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
 ///
 /// O(n log n). Since 0.1.
 #[unsafe(no_mangle)]
