@@ -5730,7 +5730,7 @@ MEDAX_API const medax_all_nearest *medax_all_nearest_clone(const medax_all_neare
  */
 MEDAX_API void medax_all_nearest_free(const medax_all_nearest *all_nearest);
 
-/* ---- 32. Decide -------------------------------------------------------------------------------
+/* ---- 32. Decisions ----------------------------------------------------------------------------
  *
  * Does a circle or a sphere hold a point of the medial axis? The gradient of the distance points away from what is nearest. Where two
  * points of a circle or sphere that no part of the boundary enters have gradients that do not go together, the medial axis passes between

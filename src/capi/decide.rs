@@ -1,4 +1,4 @@
-//! Decide
+//! Decisions
 //!
 //! Does a circle or a sphere hold a point of the medial axis? The gradient of the distance points away from what is nearest. Where two
 //! points of a circle or sphere that no part of the boundary enters have gradients that do not go together, the medial axis passes between
