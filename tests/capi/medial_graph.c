@@ -106,6 +106,13 @@ static void of_rectangle(void) {
     CHECK(least_radius >= 0.5 && least_radius < 0.5 + 1e-9 && medax_medial_graph_arcs(inner).rows == 5);
     CHECK(medax_medial_graph_node_count(inner) == 2);
     medax_medial_graph_free(inner);
+    /* All sides are of one site. */
+    options = defaults();
+    options.between_sites = 1;
+    const medax_medial_graph *none = built(sites, &options);
+    CHECK(medax_medial_graph_arcs(none).rows == 0 && medax_medial_graph_points(none).rows == 0);
+    CHECK(medax_medial_graph_arcs(none).offsets[0] == 0);
+    medax_medial_graph_free(none);
 
     medax_sites_free(sites);
     const medax_medial_graph *copy = medax_medial_graph_clone(graph);

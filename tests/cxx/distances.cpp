@@ -61,8 +61,10 @@ void queries() {
           < 1e-15);
     CHECK(THROWN(sites.decide({2, 1, 0}, 3, {})).status() == MEDAX_STATUS_INVALID_ARGUMENT);
 
-    const medax::Complex mesh = medax::FieldAxis::of(sites).complex();
-    CHECK(medax::Sites::of(mesh).piece_count() == mesh.vertices().rows());
+    medax::FieldAxisOptions coarse;
+    coarse.density = 0.5;
+    const medax::Complex points = medax::FieldAxis::of(sites, coarse).complex();
+    CHECK(medax::Sites::of(points).piece_count() == points.vertices().rows());
 }
 
 void axes() {

@@ -3,10 +3,10 @@
 use crate::shapes::{
     Random, closed, comb, distance, l_shape, open, polygon, rectangle, rings, star,
 };
-use medax::{Job, JobOptions, Progress, Stage, Status};
 use medax::complex::Topology;
 use medax::distance::{GraphOptions, MedialGraph, Piece, Sites};
 use medax::medial::Side;
+use medax::{Job, JobOptions, Progress, Stage, Status};
 use std::sync::Arc;
 
 fn graph(sites: &Arc<Sites>, options: GraphOptions) -> MedialGraph {
