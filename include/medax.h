@@ -7,7 +7,8 @@
  * \file medax.h
  *
  * medax turns samples of a surface into the structures that tell a solid's shape: exact Delaunay
- * and regular triangulations, duals, poles, power crusts, medial axes, flow complexes.
+ * and regular triangulations, duals, poles, power crusts, medial axes, flow complexes; and measures
+ * distances to plane figures and meshes, with the medial axes that these have.
  *
  *     points -> triangulation -> dual -> poles -> power crust -> complex
  *
@@ -287,6 +288,11 @@ MEDAX_API uint64_t medax_last_error_index(void);
  */
 
 /**
+ * All that is nearest to each of some points.
+ */
+typedef struct medax_all_nearest medax_all_nearest;
+
+/**
  * Cocone and Tight Cocone of a sample.
  */
 typedef struct medax_cocone medax_cocone;
@@ -301,6 +307,11 @@ typedef struct medax_complex medax_complex;
  * The Voronoi or power diagram that is dual to a triangulation.
  */
 typedef struct medax_dual medax_dual;
+
+/**
+ * Points of the medial axis of sites, and where they were looked for.
+ */
+typedef struct medax_field_axis medax_field_axis;
 
 /**
  * Polygons with holes, open polylines, points and circles in the plane.
@@ -353,6 +364,11 @@ typedef struct medax_labels medax_labels;
 typedef struct medax_medial medax_medial;
 
 /**
+ * The medial axis of sites in the plane as a graph.
+ */
+typedef struct medax_medial_graph medax_medial_graph;
+
+/**
  * Distinct points in spatial order, with maps from and to the input's rows.
  */
 typedef struct medax_points medax_points;
@@ -376,6 +392,11 @@ typedef struct medax_samples medax_samples;
  * A simplified power crust, and what became of the poles.
  */
 typedef struct medax_simplified medax_simplified;
+
+/**
+ * Pieces that distances are measured to: points, segments, rays, lines, circles, triangles, spheres.
+ */
+typedef struct medax_sites medax_sites;
 
 /**
  * A Delaunay or regular triangulation: finite cells and their neighbours.
@@ -5302,7 +5323,1164 @@ MEDAX_API const medax_flattened *medax_flattened_clone(const medax_flattened *fl
  */
 MEDAX_API void medax_flattened_free(const medax_flattened *flattened);
 
-/* ---- 30. File contents ------------------------------------------------------------------------
+/* ---- 30. Sites --------------------------------------------------------------------------------
+ *
+ * What distances are measured to: a boundary, as pieces that belong to sites. A #medax_sites holds points, segments, rays, lines, in the
+ * plane circles, in space triangles and spheres; it is made of a plane figure, of a mesh or polygon soup, or of the pieces themselves, and
+ * knows what is inside.
+ *
+ * In the plane, dimension 2, every z is 0. Pieces are numbered from 0, sites by the caller.
+ */
+
+/**
+ * What a piece is.
+ */
+enum medax_piece_kind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * A point: 3 numbers.
+     */
+    MEDAX_PIECE_KIND_POINT = 0,
+    /**
+     * The points between two ends, one point if these are equal: 2 x 3 numbers.
+     */
+    MEDAX_PIECE_KIND_SEGMENT = 1,
+    /**
+     * An origin, and the way into which all else lies, of any length but 0: 2 x 3 numbers.
+     */
+    MEDAX_PIECE_KIND_RAY = 2,
+    /**
+     * A point of it, and its direction, of any length but 0: 2 x 3 numbers.
+     */
+    MEDAX_PIECE_KIND_LINE = 3,
+    /**
+     * Three corners, in space only; one without area is its longest side: 3 x 3 numbers.
+     */
+    MEDAX_PIECE_KIND_TRIANGLE = 4,
+    /**
+     * The centre, and the radius, which is positive: 4 numbers. A circle in the plane. The surface alone, not the ball.
+     */
+    MEDAX_PIECE_KIND_SPHERE = 5,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum medax_piece_kind medax_piece_kind;
+#else
+typedef uint32_t medax_piece_kind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * A piece of a boundary, and the site to which it belongs.
+ */
+typedef struct {
+    /**
+     * A #medax_piece_kind.
+     */
+    uint32_t kind;
+    /**
+     * The number of its site, anything but `MEDAX_NONE`.
+     */
+    uint32_t site;
+    /**
+     * Coordinates, in input units, as the kind has them. Those behind them are not looked at, and come out as 0.
+     */
+    double numbers[9];
+} medax_piece;
+
+/**
+ * Makes sites of the caller's pieces, which are copied.
+ *
+ * \param dimension 2 in the plane, 3 in space.
+ * \param pieces `piece_count` pieces.
+ * \param piece_count The number of pieces, at least 1.
+ * \param is_closed In the plane `flag_count` flags, one for each piece: 1 for one of a closed curve, 0 for any other; a point is inside
+ *        where a ray from it crosses these an odd number of times. NULL only if `flag_count` is 0. Copied.
+ * \param flag_count The number of flags; 0 for none, so that all is outside.
+ * \param job NULL for a default job.
+ * \param out_sites Receives the sites, which the caller frees with #medax_sites_free.
+ * \return `MEDAX_STATUS_OK`; with the row of a piece: `NON_FINITE`, `COORDINATE_RANGE` beyond 2^200, and `INVALID_ARGUMENT` for a kind, a
+ *         site, a direction or a radius without meaning, for what does not lie in the plane, and for a flag that is neither 0 nor 1;
+ *         `INVALID_ARGUMENT` for another dimension, no pieces, and flags in space; `MISMATCH` unless each piece has a flag;
+ *         `LIMIT_EXCEEDED` past 2^31 - 1 pieces; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(n log n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_sites_create(uint32_t dimension,
+                                const medax_piece *pieces,
+                                size_t piece_count,
+                                const uint8_t *is_closed,
+                                size_t flag_count,
+                                const medax_job *job,
+                                const medax_sites **out_sites);
+
+/**
+ * The curves and points of a plane figure. Each part is a site; rings and circles are closed, so that the inside is that of the figure.
+ *
+ * Pieces are the points and the edges, chain by chain, then the circles. Edges are segments.
+ *
+ * \param figure The figure.
+ * \param job NULL for a default job.
+ * \param out_sites Receives the sites, which the caller frees with #medax_sites_free.
+ * \return `MEDAX_STATUS_OK`; `LIMIT_EXCEEDED` past 2^31 - 1 pieces; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(n log n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_sites_of_figure(const medax_figure *figure,
+                                   const medax_job *job,
+                                   const medax_sites **out_sites);
+
+/**
+ * A mesh, open or closed, or polygon soup: one site, number 0.
+ *
+ * Pieces are the triangles of #medax_complex_triangles, then the loose edges as segments, then the vertices that neither uses as points.
+ * With triangles the sites lie in space, and inside is where the faces wind round a point more than half a time; without, they have the
+ * dimension of the complex.
+ *
+ * \param complex The complex, which the sites keep alive.
+ * \param is_closed In the plane `flag_count` flags, one for each piece, as for #medax_sites_create; NULL only if `flag_count` is 0.
+ *        Copied.
+ * \param flag_count The number of flags; 0 for none.
+ * \param job NULL for a default job.
+ * \param out_sites Receives the sites, which the caller frees with #medax_sites_free.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for a complex without vertices, for flags in space, and with its row for a flag that is
+ *         neither 0 nor 1; `MISMATCH` unless each piece has a flag; `COORDINATE_RANGE` with the row of a piece; `LIMIT_EXCEEDED` past 2^31
+ *         - 1 pieces; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(n log n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_sites_of_complex(const medax_complex *complex,
+                                    const uint8_t *is_closed,
+                                    size_t flag_count,
+                                    const medax_job *job,
+                                    const medax_sites **out_sites);
+
+/**
+ * The dimension of sites.
+ *
+ * \param sites The sites; NULL has 0.
+ * \return 2 in the plane, else 3.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API uint32_t medax_sites_dimension(const medax_sites *sites);
+
+/**
+ * The number of pieces.
+ *
+ * \param sites The sites; NULL has none.
+ * \return The number of pieces.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API size_t medax_sites_piece_count(const medax_sites *sites);
+
+/**
+ * Some pieces, as they were given or found.
+ *
+ * \param sites The sites.
+ * \param first The first of them.
+ * \param count How many.
+ * \param out_pieces Receives `count` pieces; the caller's buffer, NULL only if `count` is 0.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` past the last piece; `NULL_ARGUMENT`.
+ *
+ * O(count). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_sites_pieces(const medax_sites *sites,
+                                size_t first,
+                                size_t count,
+                                medax_piece *out_pieces);
+
+/**
+ * The site of each piece.
+ *
+ * \param sites The sites, or NULL.
+ * \return One row a piece: a site. Borrowed from `sites`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_sites_site_of_piece(const medax_sites *sites);
+
+/**
+ * The number of sites: one more than the largest number.
+ *
+ * \param sites The sites; NULL has none.
+ * \return The number of sites.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API size_t medax_sites_site_count(const medax_sites *sites);
+
+/**
+ * The smallest box round the bounded pieces.
+ *
+ * \param sites The sites.
+ * \param out_min Receives the three least coordinates.
+ * \param out_max Receives the three greatest coordinates.
+ * \return `MEDAX_STATUS_OK`; `DEGENERATE` if all pieces are rays and lines; `NULL_ARGUMENT`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_sites_bounds(const medax_sites *sites,
+                                double *out_min,
+                                double *out_max);
+
+/**
+ * The diagonal of that box, of which defaults of densities and tolerances are shares.
+ *
+ * \param sites The sites; NULL has 0.
+ * \return A length in input units, 1 where there is no box, or it is a point.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API double medax_sites_size(const medax_sites *sites);
+
+/**
+ * One more reference to sites.
+ *
+ * \param sites The sites, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_sites *medax_sites_clone(const medax_sites *sites);
+
+/**
+ * Gives one reference to sites back; the last one frees them.
+ *
+ * \param sites The sites; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_sites_free(const medax_sites *sites);
+
+/* ---- 31. Distance -----------------------------------------------------------------------------
+ *
+ * What of some sites is nearest to points, all that is as near, and whether points lie inside.
+ */
+
+/**
+ * What is nearest to a point.
+ */
+typedef struct {
+    /**
+     * The nearest point of the boundary.
+     */
+    double point[3];
+    /**
+     * How far away it is, in input units.
+     */
+    double distance;
+    /**
+     * The way there, of length 1; 0 from a point of the boundary. The gradient of the negative distance, where it has one.
+     */
+    double direction[3];
+    /**
+     * The piece whose point it is, of several the least.
+     */
+    uint32_t piece;
+    /**
+     * The site of that piece.
+     */
+    uint32_t site;
+} medax_nearest;
+
+/**
+ * What is nearest to each of some points.
+ *
+ * \param sites The sites.
+ * \param query_xyz `query_count` x 3 coordinates, z in the plane as well; NULL only if `query_count` is 0.
+ * \param query_count The number of points.
+ * \param job NULL for a default job.
+ * \param out_nearest Receives `query_count` answers; the caller's buffer, NULL only if `query_count` is 0.
+ * \return `MEDAX_STATUS_OK`; `NON_FINITE`, or `COORDINATE_RANGE` beyond 2^200, with the row of a query;
+ *         `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * About O(log n) a query. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_sites_nearest(const medax_sites *sites,
+                                 const double *query_xyz,
+                                 size_t query_count,
+                                 const medax_job *job,
+                                 medax_nearest *out_nearest);
+
+/**
+ * Whether each of some points lies inside: in the plane where a ray from there crosses closed curves an odd number of times, decided
+ * exactly; in space where the faces of the mesh wind round it more than half a time. Nothing lies inside of anything else.
+ *
+ * \param sites The sites.
+ * \param query_xyz `query_count` x 3 coordinates, z in the plane as well; NULL only if `query_count` is 0.
+ * \param query_count The number of points.
+ * \param job NULL for a default job.
+ * \param out_is_inside Receives `query_count` flags, 0 or 1; the caller's buffer, NULL only if `query_count` is 0.
+ * \return `MEDAX_STATUS_OK`; `NON_FINITE`, or `COORDINATE_RANGE` beyond 2^200, with the row of a query;
+ *         `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * About O(log n) a query, and O(n log n) once a call for a mesh. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_sites_is_inside(const medax_sites *sites,
+                                   const double *query_xyz,
+                                   size_t query_count,
+                                   const medax_job *job,
+                                   uint8_t *out_is_inside);
+
+/**
+ * All nearest points of the boundary, for each of some points: those of all pieces that are no farther away than the nearest one is and a
+ * tolerance.
+ *
+ * \param sites The sites.
+ * \param query_xyz `query_count` x 3 coordinates, z in the plane as well; NULL only if `query_count` is 0.
+ * \param query_count The number of points.
+ * \param tolerance A length in input units, not negative.
+ * \param job NULL for a default job.
+ * \param out_all_nearest Receives the answers, which the caller frees with #medax_all_nearest_free.
+ * \return `MEDAX_STATUS_OK`; `NON_FINITE`, or `COORDINATE_RANGE` beyond 2^200, with the row of a query; `INVALID_ARGUMENT` for a tolerance
+ *         that is negative or NaN; `LIMIT_EXCEEDED` past 2^32 - 1 nearest points in all; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`,
+ *         `OUT_OF_MEMORY`.
+ *
+ * About O(log n + size) a query. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_sites_all_nearest(const medax_sites *sites,
+                                     const double *query_xyz,
+                                     size_t query_count,
+                                     double tolerance,
+                                     const medax_job *job,
+                                     const medax_all_nearest **out_all_nearest);
+
+/**
+ * The pieces whose points are nearest to each query.
+ *
+ * \param all_nearest The answers, or NULL.
+ * \return One row a query: pieces, which ascend. All other arrays have a row for each of these, one query's after the other's. Borrowed
+ *         from `all_nearest`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_rows medax_all_nearest_pieces(const medax_all_nearest *all_nearest);
+
+/**
+ * The sites of these pieces.
+ *
+ * \param all_nearest The answers, or NULL.
+ * \return m x 1 sites. Borrowed from `all_nearest`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_all_nearest_sites(const medax_all_nearest *all_nearest);
+
+/**
+ * The nearest points.
+ *
+ * \param all_nearest The answers, or NULL.
+ * \return m x 3 coordinates. Borrowed from `all_nearest`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_all_nearest_points(const medax_all_nearest *all_nearest);
+
+/**
+ * The distances of the nearest points.
+ *
+ * \param all_nearest The answers, or NULL.
+ * \return m x 1, in input units. Borrowed from `all_nearest`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_all_nearest_distances(const medax_all_nearest *all_nearest);
+
+/**
+ * The ways to the nearest points.
+ *
+ * \param all_nearest The answers, or NULL.
+ * \return m x 3 coordinates: vectors of length 1, and of length 0 from a point of the boundary. Borrowed from `all_nearest`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_f64 medax_all_nearest_directions(const medax_all_nearest *all_nearest);
+
+/**
+ * One more reference to answers.
+ *
+ * \param all_nearest The answers, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_all_nearest *medax_all_nearest_clone(const medax_all_nearest *all_nearest);
+
+/**
+ * Gives one reference to answers back; the last one frees them.
+ *
+ * \param all_nearest The answers; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_all_nearest_free(const medax_all_nearest *all_nearest);
+
+/* ---- 32. Decisions ----------------------------------------------------------------------------
+ *
+ * Does a circle or a sphere hold a point of the medial axis? The gradient of the distance points away from what is nearest. Where two
+ * points of a circle or sphere that no part of the boundary enters have gradients that do not go together, the medial axis passes between
+ * them; how much such tests may miss in the plane is known. (Stolpner, Whitesides 2009, Medial axis approximation with bounded error.)
+ */
+
+/**
+ * Which test has found a medial point.
+ */
+enum medax_decide_test
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * None: no conclusion can be drawn.
+     */
+    MEDAX_DECIDE_TEST_NONE = 0,
+    /**
+     * The gradients at a point and at its opposite differ.
+     */
+    MEDAX_DECIDE_TEST_OPPOSITE = 1,
+    /**
+     * Those at two neighbours point to different sides of the line through them. In the plane only.
+     */
+    MEDAX_DECIDE_TEST_SIDES = 2,
+    /**
+     * Between the opposites of two neighbours there are other points. In the plane only.
+     */
+    MEDAX_DECIDE_TEST_BETWEEN = 3,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum medax_decide_test medax_decide_test;
+#else
+typedef uint32_t medax_decide_test;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * How near is near, for the search of medial points.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * Two nearest points no farther apart than this are the same, in input units. 0, the default, asks for 1e-9 of #medax_sites_size.
+     */
+    double tolerance;
+    /**
+     * How far a point that is found may be from the medial axis, in input units. 0, the default, asks for 1e-6 of that size.
+     */
+    double epsilon;
+} medax_decide_options;
+
+/**
+ * What is known of a circle or a sphere. The caller sets `struct_size`, the library the rest.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * A medial point in the circle or sphere, in input units; 0 unless a test has found one.
+     */
+    double center[3];
+    /**
+     * Its distance from the boundary; 0 unless a test has found one.
+     */
+    double radius;
+    /**
+     * The angle between the ways to its two nearest points, in radians; 0 unless a test has found one.
+     */
+    double object_angle;
+    /**
+     * The two nearest points; 0 unless a test has found one.
+     */
+    double feet[6];
+    /**
+     * In the plane the longest arc between two neighbours of Theta, in input units; 0 in space.
+     */
+    double gap;
+    /**
+     * The number of points of Theta.
+     */
+    uint64_t theta_count;
+    /**
+     * How often a test fired of which no point came: these do not count.
+     */
+    uint64_t unconfirmed;
+    /**
+     * The pieces that have the two nearest points; `MEDAX_NONE` unless a test has found one.
+     */
+    uint32_t pieces[2];
+    /**
+     * A #medax_decide_test.
+     */
+    uint32_t test;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} medax_decision;
+
+/**
+ * Sets the options of decisions to their defaults.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_status medax_decide_options_init(medax_decide_options *options, size_t struct_size);
+
+/**
+ * Whether a circle of the plane, or a sphere in space, which no part of the boundary enters, holds a point of the medial axis: DECIDEMA2D
+ * and DECIDEMA3D of the paper.
+ *
+ * The gradient is looked at in some points of the circle or sphere, Phi, and with each of them at its opposite, the other one on the line
+ * to its nearest point: together these are Theta. What is not found may be there nonetheless: in the plane #medax_largest_missed_angle
+ * says how much, in space nothing is known.
+ *
+ * \param sites The sites.
+ * \param center_xyz The 3 coordinates of the centre; in the plane z is 0.
+ * \param radius The radius in input units.
+ * \param directions `direction_count` x 3 coordinates: the ways from the centre to the points of Phi, of any length but 0, in the plane
+ *        with z 0; such as those of #medax_sites_even_directions. NULL only if `direction_count` is 0.
+ * \param direction_count The number of directions, at most 2^16.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param theta_capacity The number of points for which `out_theta` has room; twice `direction_count` is always enough.
+ * \param out_theta Receives the first `theta_capacity` points of Theta, 3 coordinates each; in the plane they go round counterclockwise.
+ *        The caller's buffer, NULL only if `theta_capacity` is 0.
+ * \param out_decision Filled, its `struct_size` being set.
+ * \return `MEDAX_STATUS_OK` whether a medial point was found or not; `INVALID_ARGUMENT` for a radius that is not greater than 0, for a
+ *         circle or sphere that the boundary enters, for options that are no lengths, and with its row for a direction without length or
+ *         out of the plane; `NON_FINITE` for the centre; `LIMIT_EXCEEDED` for too many directions; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`,
+ *         `OUT_OF_MEMORY`.
+ *
+ * One or two queries for each direction, and in the plane for each at most a look at all of Theta. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_sites_decide(const medax_sites *sites,
+                                const double *center_xyz,
+                                double radius,
+                                const double *directions,
+                                size_t direction_count,
+                                const medax_decide_options *options,
+                                const medax_job *job,
+                                size_t theta_capacity,
+                                double *out_theta,
+                                medax_decision *out_decision);
+
+/**
+ * Directions spread evenly, for decisions.
+ *
+ * In the plane they go round counterclockwise from that of x; in space they lie on a spiral from pole to pole, each the golden angle
+ * further.
+ *
+ * \param sites The sites, whose dimension counts.
+ * \param count The number of directions.
+ * \param out_directions Receives `count` x 3 coordinates: vectors of length 1; the caller's buffer, NULL only if `count` is 0.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a count that no memory holds.
+ *
+ * O(count). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_sites_even_directions(const medax_sites *sites,
+                                         size_t count,
+                                         double *out_directions);
+
+/**
+ * The largest object angle of a medial point that a circle of the plane can hold unnoticed: arcsin(L / 2R) + arcsin(L / d), theorem 10 of
+ * the paper.
+ *
+ * It holds for a circle that the boundary does not enter and in which no test found anything, and for points in the convex hull of Theta
+ * of which both ways to the nearest points leave the hull at L or more from the point, and at L or more from the nearest points.
+ *
+ * \param gap L, the longest arc between neighbours of Theta (#medax_decision).
+ * \param radius R, that of the circle.
+ * \param distance d, that of the point from the boundary; the least there is, if there are many.
+ * \return An angle in radians; pi where there is no claim: where L >= 2R, d < 2L, or a number makes no sense.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+double medax_largest_missed_angle(double gap,
+                                  double radius,
+                                  double distance);
+
+/* ---- 33. Field axis ---------------------------------------------------------------------------
+ *
+ * Points of the medial axis of sites, as dense as they are asked for, read off the gradient of the distance: APPROXMA2D in the plane,
+ * APPROXMA3D in space. Circles or spheres cover what is looked at, and each is asked whether it holds a medial point
+ * (#medax_sites_decide); in the plane each says what it may have missed. (Stolpner, Whitesides 2009, Medial axis approximation with
+ * bounded error.)
+ */
+
+/**
+ * Which points of the medial axis, how dense, and how near to it.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * Within this distance of what of the medial axis is found there is a point, in input units. 0, the default, asks for a hundredth of
+     * #medax_sites_size.
+     */
+    double density;
+    /**
+     * The least object angle of a point, in radians in [0, pi]; 0 by default.
+     */
+    double object_angle;
+    /**
+     * The least distance of a point from the boundary, in input units. 0, the default, asks for a quarter of the density in the plane,
+     * where it bounds how fine the cover gets; in space for nothing.
+     */
+    double min_distance;
+    /**
+     * In the plane the largest object angle that a point may have and be missed, in radians in (0, pi); pi / 9 by default.
+     */
+    double bound;
+    /**
+     * Two nearest points no farther apart than this are the same, in input units. 0, the default, asks for 1e-9 of #medax_sites_size.
+     */
+    double tolerance;
+    /**
+     * How far a point may be from the medial axis, in input units. 0, the default, asks for 1e-6 of that size.
+     */
+    double epsilon;
+    /**
+     * The least corner of a box that holds what is looked at, if `has_clip` is 1. No coordinate is beyond 2^200.
+     */
+    double clip_min[3];
+    /**
+     * The largest corner of that box.
+     */
+    double clip_max[3];
+    /**
+     * 1 for that box; 0, the default, for that of the sites, if the outside is asked for as well as much larger on each side as half its
+     * diagonal is long.
+     */
+    uint32_t has_clip;
+    /**
+     * A #medax_side of the boundary; `MEDAX_SIDE_INNER` by default. Where there is no inside, as for open curves, all is outside.
+     */
+    uint32_t side;
+    /**
+     * The number of points at which each circle or sphere is looked at, from 12 to 2^20. 0, the default, asks for as many as the bound
+     * takes in the plane, for 60 in space.
+     */
+    uint32_t samples;
+    /**
+     * Must be 0.
+     */
+    uint32_t reserved;
+} medax_field_axis_options;
+
+/**
+ * A circle in the plane or a sphere in space that was looked at, for the square or the cube in its middle.
+ */
+typedef struct {
+    /**
+     * The centre.
+     */
+    double center[3];
+    /**
+     * The radius, in input units.
+     */
+    double radius;
+    /**
+     * Half the side of the square or cube.
+     */
+    double half;
+    /**
+     * In the plane the longest arc between points that were looked at; 0 in space.
+     */
+    double gap;
+    /**
+     * The distance of the centre from the boundary.
+     */
+    double distance;
+    /**
+     * The claim: the largest object angle of a point of the medial axis within the square that is at least `min_distance` from the
+     * boundary and has no point of the result within the density, in radians; 0 where there is such a point. Pi stands for no claim: in
+     * space, and where what was found did not pass the thresholds.
+     */
+    double missed_angle;
+    /**
+     * The number of points that it gave.
+     */
+    uint32_t found;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} medax_cover;
+
+/**
+ * Sets the options of field axes to their defaults.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_field_axis_options_init(medax_field_axis_options *options,
+                                           size_t struct_size);
+
+/**
+ * Finds points of the medial axis.
+ *
+ * \param sites The sites, which the result keeps alive.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_axis Receives the points, which the caller frees with #medax_field_axis_free.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for options out of range, and without a box for sites that are all rays and lines;
+ *         `LIMIT_EXCEEDED` where the density or the least distance ask for more than 2^28 circles or spheres; `NULL_ARGUMENT`,
+ *         `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * In the plane O(length / least distance + area / density^2) circles, in space O(area / density^2) spheres, each some queries for each
+ * sample. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_field_axis_build(const medax_sites *sites,
+                                    const medax_field_axis_options *options,
+                                    const medax_job *job,
+                                    const medax_field_axis **out_axis);
+
+/**
+ * What distances were measured to.
+ *
+ * \param axis The field axis.
+ * \param out_sites Receives the sites, which the caller frees with #medax_sites_free.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_field_axis_sites(const medax_field_axis *axis,
+                                    const medax_sites **out_sites);
+
+/**
+ * What was asked for, with numbers in place of the defaults.
+ *
+ * \param axis The field axis.
+ * \param out_options Filled, its `struct_size` being set.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_field_axis_resolved(const medax_field_axis *axis,
+                                       medax_field_axis_options *out_options);
+
+/**
+ * Where the points lie.
+ *
+ * \param axis The field axis, or NULL.
+ * \return m x 3 coordinates. Borrowed from `axis`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_field_axis_points(const medax_field_axis *axis);
+
+/**
+ * The distances of the points from the boundary: the radii of the medial balls.
+ *
+ * \param axis The field axis, or NULL.
+ * \return m x 1, in input units. Borrowed from `axis`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_field_axis_radii(const medax_field_axis *axis);
+
+/**
+ * The angles between the ways from the points to their nearest points.
+ *
+ * \param axis The field axis, or NULL.
+ * \return m x 1, in radians. Borrowed from `axis`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_field_axis_object_angles(const medax_field_axis *axis);
+
+/**
+ * Two nearest points of the boundary for each point.
+ *
+ * \param axis The field axis, or NULL.
+ * \return m x 6 coordinates. Borrowed from `axis`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_field_axis_feet(const medax_field_axis *axis);
+
+/**
+ * The pieces that have these nearest points.
+ *
+ * \param axis The field axis, or NULL.
+ * \return m x 2 pieces. Borrowed from `axis`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_field_axis_pieces(const medax_field_axis *axis);
+
+/**
+ * The sites of these pieces.
+ *
+ * \param axis The field axis, or NULL.
+ * \return m x 2 sites. Borrowed from `axis`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_field_axis_sites_of_points(const medax_field_axis *axis);
+
+/**
+ * The circle or sphere in which each point was found.
+ *
+ * \param axis The field axis, or NULL.
+ * \return m x 1 covers, which ascend. Borrowed from `axis`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_field_axis_cover_of_point(const medax_field_axis *axis);
+
+/**
+ * The number of circles or spheres that were looked at in the end.
+ *
+ * \param axis The field axis; NULL has none.
+ * \return The number of covers.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API size_t medax_field_axis_cover_count(const medax_field_axis *axis);
+
+/**
+ * Some of these circles or spheres.
+ *
+ * \param axis The field axis.
+ * \param first The first of them.
+ * \param count How many.
+ * \param out_covers Receives `count` covers; the caller's buffer, NULL only if `count` is 0.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` past the last cover; `NULL_ARGUMENT`.
+ *
+ * O(count). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_field_axis_covers(const medax_field_axis *axis,
+                                     size_t first,
+                                     size_t count,
+                                     medax_cover *out_covers);
+
+/**
+ * What may have been missed in all.
+ *
+ * \param axis The field axis.
+ * \param out_angle Receives the largest object angle that a point beyond the least distance may have and be missed, in radians, where
+ *        there is a claim; or NULL.
+ * \param out_unclaimed Receives the number of covers that make no claim, where it may be any: in space all; or NULL.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * O(covers). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_field_axis_claim(const medax_field_axis *axis,
+                                    double *out_angle,
+                                    size_t *out_unclaimed);
+
+/**
+ * How often a test fired of which no point came, as may happen where it hangs on the last bits of rounding.
+ *
+ * \param axis The field axis; NULL has none.
+ * \return How often.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+size_t medax_field_axis_unconfirmed(const medax_field_axis *axis);
+
+/**
+ * The points as vertices, with the attributes `radius`, `object_angle`, `feet` (the two nearest points), `pieces`, `sites` (of these) and
+ * `missed_angle` (that of the cover), for writing.
+ *
+ * \param axis The field axis.
+ * \param job NULL for a default job.
+ * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(points). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_field_axis_complex(const medax_field_axis *axis,
+                                      const medax_job *job,
+                                      const medax_complex **out_complex);
+
+/**
+ * One more reference to a field axis.
+ *
+ * \param axis The field axis, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_field_axis *medax_field_axis_clone(const medax_field_axis *axis);
+
+/**
+ * Gives one reference to a field axis back; the last one frees it.
+ *
+ * \param axis The field axis; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_field_axis_free(const medax_field_axis *axis);
+
+/* ---- 34. Medial graph -------------------------------------------------------------------------
+ *
+ * The medial axis of segments, points and circles in the plane, as a graph: nodes, where arcs meet or end, and arcs. It is followed along
+ * the boundary, to the precision of rounding; without thresholds it has the Betti numbers of the region.
+ */
+
+/**
+ * Which part of the axis, and how finely.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * The longest edge of an arc, in input units. 0, the default, asks for a hundredth of #medax_sites_size.
+     */
+    double spacing;
+    /**
+     * The least object angle, in radians in [0, pi]; 0 by default.
+     */
+    double object_angle;
+    /**
+     * The least distance from the boundary, in input units; 0 by default.
+     */
+    double min_distance;
+    /**
+     * The least corner of a box that holds what is looked at, if `has_clip` is 1; z does not count. No coordinate is beyond 2^200.
+     */
+    double clip_min[3];
+    /**
+     * The largest corner of that box.
+     */
+    double clip_max[3];
+    /**
+     * 1 for that box; 0, the default, for that of the sites, if the outside is asked for as well as much larger on each side as half its
+     * diagonal is long.
+     */
+    uint32_t has_clip;
+    /**
+     * A #medax_side of closed curves; `MEDAX_SIDE_INNER` by default. Without these all is outside.
+     */
+    uint32_t side;
+    /**
+     * 1 to keep only what has its nearest points on two sites; 0 by default.
+     */
+    uint32_t between_sites;
+    /**
+     * Must be 0.
+     */
+    uint32_t reserved;
+} medax_medial_graph_options;
+
+/**
+ * Sets the options of medial graphs to their defaults.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_medial_graph_options_init(medax_medial_graph_options *options,
+                                             size_t struct_size);
+
+/**
+ * Follows the medial axis of sites in the plane. Segments must meet in common ends only, and touch no circle, as those of a figure do.
+ *
+ * \param sites The sites, which the result keeps alive.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_graph Receives the graph, which the caller frees with #medax_medial_graph_free.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for sites in space and options out of range; `UNSUPPORTED` with its row for a line or a
+ *         ray; `NULL_ARGUMENT`, `LIMIT_EXCEEDED`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O((n + size) log n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_medial_graph_build(const medax_sites *sites,
+                                      const medax_medial_graph_options *options,
+                                      const medax_job *job,
+                                      const medax_medial_graph **out_graph);
+
+/**
+ * What the boundary was.
+ *
+ * \param graph The graph.
+ * \param out_sites Receives the sites, which the caller frees with #medax_sites_free.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_medial_graph_sites(const medax_medial_graph *graph,
+                                      const medax_sites **out_sites);
+
+/**
+ * The number of nodes, which are the first of the points.
+ *
+ * \param graph The graph; NULL has none.
+ * \return The number of nodes.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API size_t medax_medial_graph_node_count(const medax_medial_graph *graph);
+
+/**
+ * The arcs.
+ *
+ * \param graph The graph, or NULL.
+ * \return One row an arc: its points in order, nodes at both ends included. Where a threshold or the box cuts an arc it ends in a point
+ *         that is no node; a loop without nodes has its first point at its end again. Borrowed from `graph`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_rows medax_medial_graph_arcs(const medax_medial_graph *graph);
+
+/**
+ * How many sides of arcs have no other side that agrees with them: 0 but for figures whose parts are apart by next to nothing beside their
+ * size.
+ *
+ * \param graph The graph; NULL has none.
+ * \return How many.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+size_t medax_medial_graph_torn(const medax_medial_graph *graph);
+
+/**
+ * Where the points lie: the nodes, then those between.
+ *
+ * \param graph The graph, or NULL.
+ * \return m x 3 coordinates, z being 0. Borrowed from `graph`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_medial_graph_points(const medax_medial_graph *graph);
+
+/**
+ * The distances of the points from the boundary: the radii of the medial balls.
+ *
+ * \param graph The graph, or NULL.
+ * \return m x 1, in input units. Borrowed from `graph`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_medial_graph_radii(const medax_medial_graph *graph);
+
+/**
+ * The angles between the ways from the points to their nearest points; of a node the largest of those of its arcs there.
+ *
+ * \param graph The graph, or NULL.
+ * \return m x 1, in radians. Borrowed from `graph`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_f64 medax_medial_graph_object_angles(const medax_medial_graph *graph);
+
+/**
+ * Two nearest points of the boundary for each point.
+ *
+ * \param graph The graph, or NULL.
+ * \return m x 6 coordinates. Borrowed from `graph`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_medial_graph_feet(const medax_medial_graph *graph);
+
+/**
+ * The pieces that have these nearest points.
+ *
+ * \param graph The graph, or NULL.
+ * \return m x 2 pieces. Borrowed from `graph`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_medial_graph_pieces(const medax_medial_graph *graph);
+
+/**
+ * The sites of these pieces.
+ *
+ * \param graph The graph, or NULL.
+ * \return m x 2 sites. Borrowed from `graph`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_medial_graph_sites_of_points(const medax_medial_graph *graph);
+
+/**
+ * The arcs as loose edges. Vertices are the points, with the attributes `radius`, `object_angle`, `feet` (the two nearest points),
+ * `pieces`, `sites` (of these) and `is_node`; edges carry `arc`.
+ *
+ * \param graph The graph.
+ * \param job NULL for a default job.
+ * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(points). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_medial_graph_complex(const medax_medial_graph *graph,
+                                        const medax_job *job,
+                                        const medax_complex **out_complex);
+
+/**
+ * One more reference to a medial graph.
+ *
+ * \param graph The graph, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_medial_graph *medax_medial_graph_clone(const medax_medial_graph *graph);
+
+/**
+ * Gives one reference to a medial graph back; the last one frees it.
+ *
+ * \param graph The graph; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_medial_graph_free(const medax_medial_graph *graph);
+
+/* ---- 35. File contents ------------------------------------------------------------------------
  *
  * What a file holds, before points or a complex are made of it. Reading trusts nothing, and an error
  * names the line of a text or the byte of a binary file. The ending of a path names the format:
@@ -5478,7 +6656,7 @@ MEDAX_API const medax_file *medax_file_clone(const medax_file *file);
  */
 MEDAX_API void medax_file_free(const medax_file *file);
 
-/* ---- 31. Reading and writing ------------------------------------------------------------------
+/* ---- 36. Reading and writing ------------------------------------------------------------------
  *
  * Written are PLY, OFF, OBJ, STL, XYZ, PTS, TXT, CSV, MA, VTU, and GeoJSON for plane complexes, by the ending of the path, to a
  * file beside the given name, which is moved into place when it is complete: after an error, a file
@@ -5629,7 +6807,7 @@ MEDAX_API const medax_warnings *medax_warnings_clone(const medax_warnings *warni
  */
 MEDAX_API void medax_warnings_free(const medax_warnings *warnings);
 
-/* ---- 32. Samples ------------------------------------------------------------------------------
+/* ---- 37. Samples ------------------------------------------------------------------------------
  *
  * Points of the surfaces of built-in shapes and of meshes, evenly spread: no two are nearer than
  * the spacing. The same options give the same points on every machine.

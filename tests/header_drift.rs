@@ -7,7 +7,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// The chapters of the header in order: the files of `src/capi`.
-const CHAPTERS: [&str; 32] = [
+const CHAPTERS: [&str; 37] = [
     "status",
     "handle",
     "view",
@@ -37,6 +37,11 @@ const CHAPTERS: [&str; 32] = [
     "compare",
     "decimate",
     "flatten",
+    "sites",
+    "distance",
+    "decide",
+    "field_axis",
+    "medial_graph",
     "file",
     "io",
     "sample",

@@ -27,4 +27,5 @@
 #include <medax/medial.hpp>
 #include <medax/flow.hpp>
 #include <medax/flow_complex.hpp>
+#include <medax/distance.hpp>
 #include <medax/sample.hpp>

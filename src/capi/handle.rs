@@ -122,6 +122,29 @@ pub struct medax_flattened {
     pub(super) left: usize,
 }
 
+/// Pieces that distances are measured to: points, segments, rays, lines, circles, triangles, spheres.
+pub struct medax_sites {
+    pub(super) sites: Arc<crate::distance::Sites>,
+}
+
+/// All that is nearest to each of some points.
+pub struct medax_all_nearest {
+    pub(super) all: super::distance::AllColumns,
+}
+
+/// Points of the medial axis of sites, and where they were looked for.
+pub struct medax_field_axis {
+    pub(super) axis: crate::distance::FieldAxis,
+    pub(super) points: super::medial_points::MedialPoints,
+}
+
+/// The medial axis of sites in the plane as a graph.
+pub struct medax_medial_graph {
+    pub(super) graph: crate::distance::MedialGraph,
+    pub(super) points: super::medial_points::MedialPoints,
+    pub(super) arcs: crate::complex::Rows,
+}
+
 /// A type of which C holds counted references.
 ///
 /// Any number of threads may read a handle at once.
@@ -146,6 +169,10 @@ impl Handle for medax_flow_complex {}
 impl Handle for medax_complex {}
 impl Handle for medax_figure {}
 impl Handle for medax_intersections {}
+impl Handle for medax_sites {}
+impl Handle for medax_all_nearest {}
+impl Handle for medax_field_axis {}
+impl Handle for medax_medial_graph {}
 impl Handle for medax_flattened {}
 
 /// A new handle with one reference, which the caller owns.

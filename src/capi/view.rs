@@ -11,6 +11,7 @@
 use crate::error::{Error, Result, Status};
 use std::ffi::{CStr, c_char};
 use std::mem::MaybeUninit;
+use std::ops::Range;
 use std::{ptr, slice};
 
 /// Rows of floats: row `i` is `data[i * cols]` to `data[i * cols + cols - 1]`.
@@ -213,9 +214,14 @@ impl<T: Copy> Buffer<T> {
 
     /// [`Buffer::fill`] with what some values become for C.
     pub(super) fn fill_from<S: Copy + Into<T>>(self, values: &[S]) {
-        for (i, &value) in values.iter().take(self.count).enumerate() {
+        self.fill_with(values.iter().map(|&value| value.into()));
+    }
+
+    /// [`Buffer::fill`] with values that are made one by one.
+    pub(super) fn fill_with(self, values: impl Iterator<Item = T>) {
+        for (i, value) in values.take(self.count).enumerate() {
             // SAFETY: `i` is below the count, and room for as many was promised to `new`.
-            unsafe { self.target.add(i).write(value.into()) };
+            unsafe { self.target.add(i).write(value) };
         }
     }
 }
@@ -251,6 +257,15 @@ pub(super) unsafe fn rows<'a, T: Copy, const COLS: usize>(
 ) -> Result<&'a [[T; COLS]]> {
     // SAFETY: the caller's promise; an array is as its elements in a row.
     unsafe { slice(data.cast::<[T; COLS]>(), count, name) }
+}
+
+/// The rows from `first` on, `count` of them, if there are as many.
+pub(super) fn range(first: usize, count: usize, rows: usize, name: &str) -> Result<Range<usize>> {
+    let end = first.checked_add(count).filter(|&end| end <= rows);
+    end.map(|end| first..end).ok_or_else(|| {
+        let message = format!("{count} {name} from {first} on are not there: there are {rows}");
+        Error::new(Status::InvalidArgument, message)
+    })
 }
 
 /// How many points, and which, in the caller's array, `stride` bytes apart; 0 stands for no gap.

@@ -4,8 +4,12 @@ use super::locate::{MedialPoint, Search};
 use super::piece::Foot;
 use super::sites::Sites;
 use crate::error::{ElementKind, Error, Result, Status};
+use crate::job::{Room, Run, Stage};
 use crate::vector::{Vec3, add, cross, dot, length, scale, sub};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
+
+/// The most directions of a decision: to sort Theta must not take long.
+const MOST_DIRECTIONS: usize = 1 << 16;
 
 /// How near is near, for the search of medial points.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,13 +75,43 @@ impl Sites {
     ///
     /// In the plane a medial point may be missed if one of the six alternatives of theorem 10 holds ([`largest_missed_angle`](super::largest_missed_angle)); in space
     /// nothing is known. Errors: [`Status::InvalidArgument`] for a radius that is not positive, for a circle or sphere that the boundary enters, and with its row for a direction
-    /// without length; [`Status::NonFinite`]. Cost: one or two queries for each direction, and O(N log N).
+    /// without length; [`Status::NonFinite`]; [`Status::LimitExceeded`] for more than 2^16 directions. Cost: one or two queries for each direction; the third test looks at all
+    /// of Theta for each point of it whose neighbour has its opposite far away.
     pub fn decide(
         &self,
         center: [f64; 3],
         radius: f64,
         directions: &[[f64; 3]],
         options: DecideOptions,
+    ) -> Result<Decision> {
+        self.decide_with(center, radius, directions, options, &|| Ok(()))
+    }
+
+    /// [`Sites::decide`] as a stage of a larger build.
+    pub(crate) fn decide_in(
+        &self,
+        center: [f64; 3],
+        radius: f64,
+        directions: &[[f64; 3]],
+        options: DecideOptions,
+        run: &Run<'_>,
+    ) -> Result<Decision> {
+        run.enter(Stage::Query)?;
+        // What holds the points with their nearest ones, and Theta with those.
+        let mut room = Room::new(run);
+        room.keep(
+            directions.len().saturating_mul(3 * size_of::<Sample>() + 2 * size_of::<Theta>()),
+        )?;
+        self.decide_with(center, radius, directions, options, &|| run.poll())
+    }
+
+    fn decide_with(
+        &self,
+        center: [f64; 3],
+        radius: f64,
+        directions: &[[f64; 3]],
+        options: DecideOptions,
+        poll: &dyn Fn() -> Result<()>,
     ) -> Result<Decision> {
         let wrong = |message: &str| Error::new(Status::InvalidArgument, message);
         if !center.iter().all(|x| x.is_finite()) {
@@ -92,8 +126,13 @@ impl Sites {
         if self.foot(center).distance_squared < radius * radius {
             return Err(wrong("the boundary enters the circle or sphere"));
         }
+        if directions.len() > MOST_DIRECTIONS {
+            let message = format!("{} directions, of at most 2^16", directions.len());
+            return Err(Error::new(Status::LimitExceeded, message));
+        }
         let mut units = Vec::with_capacity(directions.len());
         for (row, &direction) in (0..).zip(directions) {
+            poll()?;
             let size = length(direction);
             let lies_in = self.dimension() == 3 || direction[2] == 0.0;
             if !(size > 0.0 && size.is_finite() && lies_in) {
@@ -104,13 +143,31 @@ impl Sites {
         }
         let mut first = None;
         let search = self.search(options)?;
-        let mut decision = search.examine(Ball { center, radius }, &units, |test, point| {
+        let enough = |test, point| {
             first = Some((test, point));
             false
-        });
+        };
+        let mut decision = search.watched(Ball { center, radius }, &units, enough, poll)?;
         decision.test = first.map(|(test, _)| test);
         decision.point = first.map(|(_, point)| point);
         Ok(decision)
+    }
+
+    /// Directions of length 1 spread evenly, as many as are asked for. In the plane the first is that of x, and they go round counterclockwise; in space they lie on a spiral from
+    /// pole to pole, each the golden angle further (Vogel 1979; Swinbank, Purser 2006, *Fibonacci grids*).
+    pub fn even_directions(&self, count: usize) -> impl ExactSizeIterator<Item = [f64; 3]> {
+        let on_circle = |angle: f64| [libm::cos(angle), libm::sin(angle), 0.0];
+        let golden = PI * (3.0 - 5f64.sqrt());
+        let dimension = self.dimension();
+        let direction = move |i: usize| match dimension {
+            2 => on_circle(TAU * i as f64 / count as f64),
+            _ => {
+                let z = 1.0 - (2 * i + 1) as f64 / count as f64;
+                let r = (1.0 - z * z).sqrt();
+                add(scale(on_circle(golden * i as f64), r), [0.0, 0.0, z])
+            }
+        };
+        (0..count).map(direction)
     }
 
     /// A search with such options. Errors: [`Status::InvalidArgument`] for an option that is no length.
@@ -131,13 +188,26 @@ impl Search<'_> {
         &self,
         ball: Ball,
         units: &[Vec3],
-        mut enough: impl FnMut(DecideTest, MedialPoint) -> bool,
+        enough: impl FnMut(DecideTest, MedialPoint) -> bool,
     ) -> Decision {
+        // Without anything to poll for there is no error.
+        self.watched(ball, units, enough, &|| Ok(())).unwrap_or_default()
+    }
+
+    /// The same, which calls `poll` on the way, and stops with its error.
+    fn watched(
+        &self,
+        ball: Ball,
+        units: &[Vec3],
+        mut enough: impl FnMut(DecideTest, MedialPoint) -> bool,
+        poll: &dyn Fn() -> Result<()>,
+    ) -> Result<Decision> {
         let mut decision = Decision::default();
         let mut samples = Vec::with_capacity(units.len());
         let mut differ = 0;
         let mut goes_on = true;
         for &direction in units {
+            poll()?;
             let at = add(ball.center, scale(direction, ball.radius));
             let foot = self.sites.foot(at);
             let Some((opposite, chord)) = ball.opposite(at, &foot) else {
@@ -169,12 +239,12 @@ impl Search<'_> {
                 decision.theta = ring.thetas.iter().map(|theta| theta.at).collect();
                 // The other tests are for circles that pass the first.
                 if differ == 0 {
-                    self.compare_neighbors(&ring, &mut decision, &mut enough);
+                    self.compare_neighbors(&ring, &mut decision, &mut enough, poll)?;
                 }
             }
             false => decision.theta = both.collect(),
         }
-        decision
+        Ok(decision)
     }
 
     /// The second and the third test.
@@ -183,9 +253,11 @@ impl Search<'_> {
         ring: &Ring,
         decision: &mut Decision,
         enough: &mut impl FnMut(DecideTest, MedialPoint) -> bool,
-    ) {
+        poll: &dyn Fn() -> Result<()>,
+    ) -> Result<()> {
         let mut found = false;
         for (a, b) in ring.neighbors() {
+            poll()?;
             // Each as seen on the way to the other, so that one sign means different sides.
             if side(a, b) * side(b, a) <= 0.0 {
                 continue;
@@ -194,16 +266,17 @@ impl Search<'_> {
                 Some(point) => {
                     found = true;
                     if !enough(DecideTest::Sides, point) {
-                        return;
+                        return Ok(());
                     }
                 }
                 None => decision.unconfirmed += 1,
             }
         }
         if found {
-            return;
+            return Ok(());
         }
         for (place, (a, b)) in ring.neighbors().enumerate() {
+            poll()?;
             let mut fires = false;
             for c in ring.between_opposites(place) {
                 fires = true;
@@ -211,13 +284,14 @@ impl Search<'_> {
                 if let Some(point) = crossed.and_then(|x| self.between(x.at, c.at, Z)) {
                     fires = false;
                     if !enough(DecideTest::Between, point) {
-                        return;
+                        return Ok(());
                     }
                     break;
                 }
             }
             decision.unconfirmed += usize::from(fires);
         }
+        Ok(())
     }
 }
 

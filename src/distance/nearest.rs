@@ -46,20 +46,21 @@ impl Sites {
         tolerance: f64,
         job: &Job,
     ) -> Result<AllNearest> {
-        if tolerance.is_nan() || tolerance < 0.0 {
-            let message = format!("a tolerance of {tolerance} is no distance");
-            return Err(Error::new(Status::InvalidArgument, message));
-        }
         job.run(&[(Stage::Query, 1.0)], |run| self.all_nearest_in(points, tolerance, run))
     }
 
-    fn all_nearest_in(
+    /// [`Sites::all_nearest`] as a stage of a larger build.
+    pub(crate) fn all_nearest_in(
         &self,
         points: &[[f64; 3]],
         tolerance: f64,
         run: &Run<'_>,
     ) -> Result<AllNearest> {
         run.enter(Stage::Query)?;
+        if tolerance.is_nan() || tolerance < 0.0 {
+            let message = format!("a tolerance of {tolerance} is no distance");
+            return Err(Error::new(Status::InvalidArgument, message));
+        }
         let mut room = Room::new(run);
         let found = answers(points, ElementKind::Row, [0.0, 0.9], &mut room, run, |p| {
             let mut feet: Vec<Foot> = Vec::new();

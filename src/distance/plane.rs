@@ -9,7 +9,7 @@ use crate::error::{Error, Result, Status};
 use crate::job::{Room, Run};
 use crate::medial::Side;
 use crate::vector::Vec3;
-use std::f64::consts::{PI, SQRT_2, TAU};
+use std::f64::consts::{PI, SQRT_2};
 use std::sync::Arc;
 
 /// The squares that one thread looks at between two reports.
@@ -41,10 +41,7 @@ pub(super) fn axis(sites: &Arc<Sites>, options: FieldOptions, run: &Run<'_>) -> 
         samples => samples,
     };
     let options = FieldOptions { samples, ..options };
-    let directions: Vec<Vec3> = (0..samples)
-        .map(|i| TAU * i as f64 / samples as f64)
-        .map(|angle| [libm::cos(angle), libm::sin(angle), 0.0])
-        .collect();
+    let directions = sites.even_directions(samples).collect();
     let plane = Plane { search: sites.search(options.decide)?, options, directions };
     let mut room = Room::new(run);
     let mut axis = FieldAxis {

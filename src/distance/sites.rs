@@ -6,6 +6,7 @@ use super::tree::Tree;
 use crate::complex::Complex;
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::figure::{ChainKind, Figure};
+use crate::index::NONE;
 use crate::job::{Job, Room, Run, Stage};
 use crate::points::Bounds;
 use crate::vector::{Vec3, length, scale, sub};
@@ -42,8 +43,8 @@ pub struct Nearest {
 impl Sites {
     /// Sites in the plane (2) or in space (3), one for each number that `site_of_piece` names.
     ///
-    /// Errors: [`Status::InvalidArgument`] for another dimension, no pieces, and with the row of the piece a direction or a radius without meaning, or a piece out of the plane;
-    /// [`Status::NonFinite`] and [`Status::CoordinateRange`] with its row; [`Status::Mismatch`] unless each piece has a site; those of the job. Cost: O(n log n).
+    /// Errors: [`Status::InvalidArgument`] for another dimension, no pieces, and with the row of the piece a direction or a radius without meaning, a piece out of the plane, or
+    /// u32::MAX for its site; [`Status::NonFinite`] and [`Status::CoordinateRange`] with its row; [`Status::Mismatch`] unless each piece has a site; those of the job. Cost: O(n log n).
     pub fn new(
         dimension: u32,
         pieces: Vec<Piece>,
@@ -78,6 +79,9 @@ impl Sites {
         for (row, piece) in (0..).zip(run.watch(&pieces)) {
             let piece = piece?;
             piece.check(dimension).map_err(|error| error.at(ElementKind::Row, row))?;
+        }
+        if let Some(row) = site_of_piece.iter().position(|&site| site == NONE) {
+            return Err(wrong("a site has no number").at(ElementKind::Row, row as u64));
         }
         let mut room = Room::new(run);
         let tree = Tree::new(&pieces, &mut room, run)?;

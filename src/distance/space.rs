@@ -7,7 +7,7 @@ use super::sites::Sites;
 use crate::error::{Error, Result, Status};
 use crate::job::{Room, Run};
 use crate::medial::Side;
-use crate::vector::{Vec3, add, scale, sub};
+use crate::vector::{Vec3, sub};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -59,7 +59,7 @@ pub(super) fn axis(sites: &Arc<Sites>, options: FieldOptions, run: &Run<'_>) -> 
     let space = Space {
         search: sites.search(options.decide)?,
         options,
-        directions: even_directions(samples),
+        directions: sites.even_directions(samples).collect(),
     };
     let (mut lattice, mut cubes, levels) = space.whole()?;
     let mut room = Room::new(run);
@@ -228,17 +228,4 @@ impl Space<'_> {
             unconfirmed: 0,
         })
     }
-}
-
-/// Directions spread evenly: on a spiral from pole to pole, each the golden angle further (Vogel 1979; Swinbank, Purser 2006, *Fibonacci grids*).
-fn even_directions(count: usize) -> Vec<Vec3> {
-    let golden = PI * (3.0 - 5f64.sqrt());
-    (0..count)
-        .map(|i| {
-            let z = 1.0 - (2 * i + 1) as f64 / count as f64;
-            let r = (1.0 - z * z).sqrt();
-            let angle = golden * i as f64;
-            add(scale([libm::cos(angle), libm::sin(angle), 0.0], r), [0.0, 0.0, z])
-        })
-        .collect()
 }

@@ -254,6 +254,73 @@ FIELD(medax_comparison, b_to_a_mean, 40);
 FIELD(medax_comparison, b_to_a_rms, 48);
 FIELD(medax_comparison, diagonal, 56);
 
+SIZE(medax_piece, 80);
+FIELD(medax_piece, kind, 0);
+FIELD(medax_piece, site, 4);
+FIELD(medax_piece, numbers, 8);
+
+SIZE(medax_nearest, 64);
+FIELD(medax_nearest, point, 0);
+FIELD(medax_nearest, distance, 24);
+FIELD(medax_nearest, direction, 32);
+FIELD(medax_nearest, piece, 56);
+FIELD(medax_nearest, site, 60);
+
+SIZE(medax_decide_options, 24);
+FIELD(medax_decide_options, struct_size, 0);
+FIELD(medax_decide_options, tolerance, 8);
+FIELD(medax_decide_options, epsilon, 16);
+
+SIZE(medax_decision, 136);
+FIELD(medax_decision, struct_size, 0);
+FIELD(medax_decision, center, 8);
+FIELD(medax_decision, radius, 32);
+FIELD(medax_decision, object_angle, 40);
+FIELD(medax_decision, feet, 48);
+FIELD(medax_decision, gap, 96);
+FIELD(medax_decision, theta_count, 104);
+FIELD(medax_decision, unconfirmed, 112);
+FIELD(medax_decision, pieces, 120);
+FIELD(medax_decision, test, 128);
+FIELD(medax_decision, reserved, 132);
+
+SIZE(medax_field_axis_options, 120);
+FIELD(medax_field_axis_options, struct_size, 0);
+FIELD(medax_field_axis_options, density, 8);
+FIELD(medax_field_axis_options, object_angle, 16);
+FIELD(medax_field_axis_options, min_distance, 24);
+FIELD(medax_field_axis_options, bound, 32);
+FIELD(medax_field_axis_options, tolerance, 40);
+FIELD(medax_field_axis_options, epsilon, 48);
+FIELD(medax_field_axis_options, clip_min, 56);
+FIELD(medax_field_axis_options, clip_max, 80);
+FIELD(medax_field_axis_options, has_clip, 104);
+FIELD(medax_field_axis_options, side, 108);
+FIELD(medax_field_axis_options, samples, 112);
+FIELD(medax_field_axis_options, reserved, 116);
+
+SIZE(medax_cover, 72);
+FIELD(medax_cover, center, 0);
+FIELD(medax_cover, radius, 24);
+FIELD(medax_cover, half, 32);
+FIELD(medax_cover, gap, 40);
+FIELD(medax_cover, distance, 48);
+FIELD(medax_cover, missed_angle, 56);
+FIELD(medax_cover, found, 64);
+FIELD(medax_cover, reserved, 68);
+
+SIZE(medax_medial_graph_options, 96);
+FIELD(medax_medial_graph_options, struct_size, 0);
+FIELD(medax_medial_graph_options, spacing, 8);
+FIELD(medax_medial_graph_options, object_angle, 16);
+FIELD(medax_medial_graph_options, min_distance, 24);
+FIELD(medax_medial_graph_options, clip_min, 32);
+FIELD(medax_medial_graph_options, clip_max, 56);
+FIELD(medax_medial_graph_options, has_clip, 80);
+FIELD(medax_medial_graph_options, side, 84);
+FIELD(medax_medial_graph_options, between_sites, 88);
+FIELD(medax_medial_graph_options, reserved, 92);
+
 SIZE(medax_sample_options, 40);
 FIELD(medax_sample_options, struct_size, 0);
 FIELD(medax_sample_options, spacing, 8);

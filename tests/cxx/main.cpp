@@ -9,6 +9,8 @@
 medax::Triangulation triangulate_elsewhere(const medax::Points &points);
 /// figures.cpp
 void figures();
+/// distances.cpp
+void distances();
 
 namespace {
 
@@ -493,6 +495,7 @@ int main() {
     crusts();
     shapes();
     figures();
+    distances();
     threads();
     std::printf("%u passed, %u failed\n", passed, failed);
     return failed == 0 ? 0 : 1;

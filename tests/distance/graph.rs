@@ -3,10 +3,10 @@
 use crate::shapes::{
     Random, closed, comb, distance, l_shape, open, polygon, rectangle, rings, star,
 };
-use medax::Job;
 use medax::complex::Topology;
 use medax::distance::{GraphOptions, MedialGraph, Piece, Sites};
 use medax::medial::Side;
+use medax::{Job, JobOptions, Progress, Stage, Status};
 use std::sync::Arc;
 
 fn graph(sites: &Arc<Sites>, options: GraphOptions) -> MedialGraph {
@@ -152,4 +152,18 @@ fn thresholds_cut_arcs_where_they_are_passed() {
     let middle = MedialGraph::new(&sites, options, &Job::default()).unwrap();
     assert!(middle.points().iter().all(|p| (p.center[1] - 1.0).abs() < 1e-9));
     assert_eq!(middle.arcs().len(), 1);
+}
+
+/// A host that looks at progress can stop a build, which tells it how far it is on the way.
+#[test]
+fn a_build_reports_progress_and_stops() {
+    let mut random = Random(23);
+    let points = (0..3000).map(|_| Piece::Point(random.flat(0.0, 1.0))).collect();
+    let sites = open(2, points);
+    let options = GraphOptions { side: Side::Outer, ..GraphOptions::default() };
+    let progress: Progress = Box::new(|_, stage| stage != Stage::Field);
+    let job = Job::new(JobOptions { progress: Some(progress), ..JobOptions::default() });
+    let stopped = MedialGraph::new(&sites, options, &job).unwrap_err();
+    assert_eq!(stopped.status(), Status::Cancelled);
+    assert!(job.progress() < 1.0);
 }

@@ -187,6 +187,8 @@ fn bad_input_is_an_error_that_says_where() {
     ] {
         assert_eq!(Sites::new(dimension, pieces, sites, &job).unwrap_err().status(), status);
     }
+    let unnumbered = Sites::new(3, vec![good, good], vec![0, u32::MAX], &job).unwrap_err();
+    assert_eq!(unnumbered.element(), Some((ElementKind::Row, 1)));
     let sites = open(3, vec![good]);
     let bad = sites.nearest(&[[0.0; 3], [f64::NAN; 3]], &job).unwrap_err();
     assert_eq!((bad.status(), bad.element()), (Status::NonFinite, Some((ElementKind::Row, 1))));

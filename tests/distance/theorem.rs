@@ -56,6 +56,7 @@ fn what_no_circle_is_and_what_the_boundary_enters_is_an_error() {
     assert!(decide([5.0, 1.0, 0.5], 0.2, &four));
     assert!(decide([5.0, 1.0, 0.0], 0.5, &[[0.0; 3]]));
     assert!(!decide([5.0, 1.0, 0.0], 0.5, &[]));
+    assert!(decide([5.0, 1.0, 0.0], 0.5, &directions((1 << 16) + 1, 0.0)));
 }
 
 /// Random circles in random boundaries, with few samples: how often each test is the first to fire.

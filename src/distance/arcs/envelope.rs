@@ -70,7 +70,7 @@ impl Envelope<'_> {
         run: &Run<'_>,
     ) -> Result<Vec<Vec<Break>>> {
         let features: Vec<usize> = (0..self.walks.features.len()).collect();
-        let found = run.in_parallel(features.chunks(BATCH).collect(), |features| {
+        let found = run.in_steps(features.chunks(BATCH).collect(), [0.0, 0.4], |features| {
             run.poll()?;
             Ok(features.iter().map(|&f| self.breaks_of(f, &hints[f])).collect::<Vec<_>>())
         })?;

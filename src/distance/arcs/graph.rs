@@ -91,7 +91,7 @@ impl MedialGraph {
         let is_first = |&(i, side): &(u32, &ArcSide)| !side.agrees || i <= side.partner;
         let chosen: Vec<&ArcSide> =
             chosen.into_iter().filter(is_first).map(|(_, side)| side).collect();
-        let lines = run.in_parallel(chosen.chunks(16).collect(), |sides| {
+        let lines = run.in_steps(chosen.chunks(16).collect(), [0.5, 1.0], |sides| {
             run.poll()?;
             Ok(sides.iter().flat_map(|side| maker.lines(side)).collect::<Vec<_>>())
         })?;

@@ -168,7 +168,7 @@ impl Envelope<'_> {
     /// Finds the partner of each side; where the two do not agree, gives the places that would have shown it.
     fn pair(&self, found: &mut ArcSides, run: &Run<'_>) -> Result<Vec<(u32, f64)>> {
         let parts = found.sides.chunks(64).collect::<Vec<_>>();
-        let middles = run.in_parallel(parts, |sides| {
+        let middles = run.in_steps(parts, [0.4, 0.5], |sides| {
             run.poll()?;
             let middle = |side: &ArcSide| {
                 let walk = self.walk_of(side);
