@@ -8,6 +8,7 @@ mod decide;
 mod field;
 mod locate;
 mod nearest;
+mod pairs;
 mod piece;
 mod plane;
 mod side;

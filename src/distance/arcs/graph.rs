@@ -6,6 +6,7 @@ use super::walk::Walks;
 use crate::complex::{Attribute, Complex, ComplexParts, Element, Values};
 use crate::distance::decide::DecideOptions;
 use crate::distance::locate::MedialPoint;
+use crate::distance::pairs::SitePairs;
 use crate::distance::sites::Sites;
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
@@ -74,8 +75,32 @@ impl MedialGraph {
         job.run(&[(Stage::Field, 1.0)], |run| MedialGraph::new_in(sites, options, run))
     }
 
+    /// The same, of which only what has its nearest points on one of some pairs of sites is kept, as [`FieldAxis::between`](crate::distance::FieldAxis::between) does.
+    ///
+    /// Errors: as [`MedialGraph::new`]; [`Status::InvalidArgument`] with the row of a pair that names no site.
+    pub fn between(
+        sites: &Arc<Sites>,
+        pairs: &[[u32; 2]],
+        options: GraphOptions,
+        job: &Job,
+    ) -> Result<Self> {
+        job.run(&[(Stage::Field, 1.0)], |run| {
+            let pairs = SitePairs::of(sites, options.between_sites, pairs)?;
+            MedialGraph::of(sites, options, pairs, run)
+        })
+    }
+
     /// [`MedialGraph::new`] as a stage of a larger build.
     pub(crate) fn new_in(sites: &Arc<Sites>, options: GraphOptions, run: &Run<'_>) -> Result<Self> {
+        MedialGraph::of(sites, options, SitePairs::any(options.between_sites), run)
+    }
+
+    fn of(
+        sites: &Arc<Sites>,
+        options: GraphOptions,
+        pairs: SitePairs,
+        run: &Run<'_>,
+    ) -> Result<Self> {
         run.enter(Stage::Field)?;
         let (spacing, rim) = options.resolved(sites)?;
         let mut room = Room::new(run);
@@ -84,7 +109,7 @@ impl MedialGraph {
         let exact = DecideOptions { tolerance: 1e-13 * size, epsilon: 1e-15 * size };
         let envelope = Envelope { search: sites.search(exact)?, walks: &walks, rim };
         let found = envelope.arc_sides(1e-9 * size, &mut room, run)?;
-        let maker = Maker { envelope, options, spacing, nodes: &found.nodes, sites };
+        let maker = Maker { envelope, options, pairs, spacing, nodes: &found.nodes, sites };
         let chosen = maker.on_side((0..).zip(&found.sides).collect(), run)?;
         let torn = chosen.iter().filter(|(_, side)| !side.agrees).count();
         // An arc has two sides; a loop that is its own opposite is a point.
@@ -193,6 +218,7 @@ struct Line {
 struct Maker<'a> {
     envelope: Envelope<'a>,
     options: GraphOptions,
+    pairs: SitePairs,
     spacing: f64,
     nodes: &'a [Node],
     sites: &'a Arc<Sites>,
@@ -221,10 +247,9 @@ impl Maker<'_> {
     }
 
     fn passes(&self, point: &MedialPoint) -> bool {
-        let [a, b] = point.pieces.map(|piece| self.sites.site_of_piece()[piece as usize]);
         point.radius >= self.options.min_distance
             && point.object_angle >= self.options.angle
-            && !(self.options.between_sites && a == b)
+            && self.pairs.holds(self.sites, point)
     }
 
     /// The parts of an arc that pass the thresholds.
