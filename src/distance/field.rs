@@ -173,7 +173,7 @@ impl FieldAxis {
     pub fn complex(&self, job: &Job) -> Result<Complex> {
         job.run(&[(Stage::Extract, 1.0)], |run| {
             run.enter(Stage::Extract)?;
-            let attributes = self.sites.attributes_of(&self.points, run)?;
+            let attributes = self.sites.attributes_of(Element::Vertex, &self.points, run)?;
             let missed = self.cover_of_point.iter().map(|&c| self.covers[c as usize].missed_angle);
             let missed = Values::F64(missed.collect());
             let missed = Attribute::new("missed_angle", Element::Vertex, 1, missed)?;
@@ -189,9 +189,10 @@ impl FieldAxis {
 }
 
 impl Sites {
-    /// What vertices carry that are medial points.
+    /// What vertices carry that are medial points, or faces and edges that stand for them.
     pub(super) fn attributes_of(
         &self,
+        element: Element,
         points: &[MedialPoint],
         run: &Run<'_>,
     ) -> Result<Vec<Attribute>> {
@@ -201,11 +202,11 @@ impl Sites {
         let pieces = points.iter().flat_map(|point| point.pieces);
         let sites = pieces.clone().map(|piece| self.site_of_piece()[piece as usize]);
         Ok(vec![
-            Attribute::new("radius", Element::Vertex, 1, of(|point| point.radius))?,
-            Attribute::new("object_angle", Element::Vertex, 1, of(|point| point.object_angle))?,
-            Attribute::new("feet", Element::Vertex, 6, Values::F64(feet.collect()))?,
-            Attribute::new("pieces", Element::Vertex, 2, Values::U32(pieces.collect()))?,
-            Attribute::new("sites", Element::Vertex, 2, Values::U32(sites.collect()))?,
+            Attribute::new("radius", element, 1, of(|point| point.radius))?,
+            Attribute::new("object_angle", element, 1, of(|point| point.object_angle))?,
+            Attribute::new("feet", element, 6, Values::F64(feet.collect()))?,
+            Attribute::new("pieces", element, 2, Values::U32(pieces.collect()))?,
+            Attribute::new("sites", element, 2, Values::U32(sites.collect()))?,
         ])
     }
 }

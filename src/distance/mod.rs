@@ -4,6 +4,7 @@
 mod arcs;
 mod bound;
 mod closest;
+mod crossing;
 mod decide;
 mod field;
 mod locate;
@@ -14,7 +15,9 @@ mod plane;
 mod side;
 mod sites;
 mod space;
+mod surface;
 mod tree;
+mod validate;
 
 pub use arcs::{GraphOptions, MedialGraph};
 pub use bound::largest_missed_angle;

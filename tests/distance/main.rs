@@ -6,4 +6,5 @@ mod nearest;
 mod plane;
 mod shapes;
 mod space;
+mod surface;
 mod theorem;

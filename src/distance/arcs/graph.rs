@@ -56,14 +56,15 @@ impl Default for GraphOptions {
 
 /// The medial axis of a boundary in the plane: nodes, where arcs meet or end, and arcs.
 ///
-/// Without thresholds it is a deformation retract of the region, and has its Betti numbers. Invariants: `arcs` has for each arc its points in order, nodes at both ends included, whose number is below that of the
-/// nodes; every point is the centre of a ball that the boundary does not enter.
+/// Without thresholds it is a deformation retract of the region, and has its Betti numbers. Invariants: `arcs` has for each arc its points in order, at least two; nodes, whose numbers are below that of the
+/// nodes, are ends of arcs and lie within none; other points lie on one arc, once, but for those of which a loop without nodes begins and ends; every point is the centre of a ball that the boundary does
+/// not enter.
 #[derive(Clone, Debug)]
 pub struct MedialGraph {
-    sites: Arc<Sites>,
-    node_count: usize,
-    points: Vec<MedialPoint>,
-    arcs: Vec<Vec<u32>>,
+    pub(in crate::distance) sites: Arc<Sites>,
+    pub(in crate::distance) node_count: usize,
+    pub(in crate::distance) points: Vec<MedialPoint>,
+    pub(in crate::distance) arcs: Vec<Vec<u32>>,
     torn: usize,
 }
 
@@ -158,7 +159,7 @@ impl MedialGraph {
                 edges.extend(arc.windows(2).map(|ends| [ends[0], ends[1]]));
                 arc_of.resize(edges.len(), number);
             }
-            let mut attributes = self.sites.attributes_of(&self.points, run)?;
+            let mut attributes = self.sites.attributes_of(Element::Vertex, &self.points, run)?;
             let is_node = (0..self.points.len()).map(|i| u32::from(i < self.node_count));
             let is_node = Values::U32(is_node.collect());
             attributes.push(Attribute::new("is_node", Element::Vertex, 1, is_node)?);
