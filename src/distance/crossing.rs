@@ -8,7 +8,7 @@ use crate::vector::{Vec3, add, dot, length, scale, sub};
 const FASTEST: f64 = 16.0;
 
 /// The most quarters of a square, and quarters of these, that are looked at.
-const MOST_QUARTERS: usize = 256;
+const MOST_QUARTERS: usize = 2048;
 
 /// A point, and what of the boundary is nearest to it.
 type Place = (Vec3, Foot);

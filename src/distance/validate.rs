@@ -43,7 +43,9 @@ impl FieldAxis {
         for item in run.watch((0..).zip(self.points.iter().zip(is_here))) {
             let (i, (point, is_here)) = item?;
             self.sites.check_ball(point, epsilon, i, report);
-            self.sites.check_feet(point, epsilon, i, report);
+            if !self.sites.check_feet(point, epsilon, i, report) {
+                continue;
+            }
             let passes = self.options.pass(point);
             report.check(passes, ElementKind::Vertex, i, || "it is below a threshold".into());
             report.check(is_here, ElementKind::Vertex, i, || "it is on the other side".into());
@@ -188,12 +190,23 @@ impl Sites {
         });
     }
 
-    /// Checks feet, and the angle between the ways to them.
-    fn check_feet(&self, point: &MedialPoint, epsilon: f64, i: u64, report: &mut Validation) {
+    /// Checks feet, and the angle between the ways to them. Whether there are the pieces that are named.
+    fn check_feet(
+        &self,
+        point: &MedialPoint,
+        epsilon: f64,
+        i: u64,
+        report: &mut Validation,
+    ) -> bool {
         let MedialPoint { center, radius, feet, pieces, object_angle } = *point;
+        let are_there = pieces.iter().all(|&piece| (piece as usize) < self.pieces().len());
+        report.check(are_there, ElementKind::Vertex, i, || "it names a piece that is not".into());
+        if !are_there {
+            return false;
+        }
         for (foot, piece) in feet.into_iter().zip(pieces) {
-            let shape = self.pieces().get(piece as usize).map(Shape::from);
-            let on = shape.is_some_and(|shape| length(sub(shape.closest(foot), foot)) <= epsilon);
+            let shape = Shape::from(&self.pieces()[piece as usize]);
+            let on = length(sub(shape.closest(foot), foot)) <= epsilon;
             report.check(on, ElementKind::Vertex, i, || format!("a foot is not on piece {piece}"));
             let away = length(sub(foot, center));
             report.check((away - radius).abs() <= 2.0 * epsilon, ElementKind::Vertex, i, || {
@@ -207,6 +220,7 @@ impl Sites {
         report.check((angle - object_angle).abs() <= ANGLE_EPSILON, ElementKind::Vertex, i, || {
             format!("it sees its feet under {angle}, and not {object_angle}")
         });
+        true
     }
 }
 
@@ -295,7 +309,7 @@ mod tests {
         assert!(report.is_valid() && report.checked > 100, "{report:?}");
         type Change = fn(&mut MedialGraph);
         let changes: [(&str, Change); 8] = [
-            ("node", |graph| graph.points[0].center[0] += 1e-3),
+            ("node", |graph| graph.points[0].center = graph.points[0].center.map(|x| x + 1e-3)),
             ("center", |graph| graph.points[20].center[0] += 1e-3),
             ("angle", |graph| graph.points[20].object_angle += 1e-6),
             ("foot", |graph| graph.points[20].feet[0][0] += 1e-3),

@@ -26,8 +26,9 @@ pub fn nearest_of(p: Point, piece: &Piece) -> Point {
         Piece::Line(a, way) => along(a, way, f64::NEG_INFINITY, f64::INFINITY),
         Piece::Sphere(center, radius) => {
             let way = sub(p, center);
-            let share = radius / dot(way, way).sqrt();
-            [0, 1, 2].map(|k| center[k] + share * way[k])
+            let size = dot(way, way).sqrt();
+            let way = if size > 0.0 { way.map(|x| x / size) } else { [1.0, 0.0, 0.0] };
+            [0, 1, 2].map(|k| center[k] + radius * way[k])
         }
         Piece::Triangle([a, b, c]) => {
             let cross = |u: Point, v: Point| {
@@ -54,7 +55,15 @@ pub fn nearest_of(p: Point, piece: &Piece) -> Point {
 pub fn check_sound(name: &str, sites: &Sites, points: &[Point], angle: f64, epsilon: f64) {
     assert!(points.len() > 20, "{name}");
     for &p in points {
-        let feet: Vec<Point> = sites.pieces().iter().map(|piece| nearest_of(p, piece)).collect();
+        let mut feet: Vec<Point> =
+            sites.pieces().iter().map(|piece| nearest_of(p, piece)).collect();
+        // All of a sphere is as near to its centre: its farthest point then, too.
+        feet.extend(sites.pieces().iter().zip(feet.clone()).filter_map(
+            |(piece, foot)| match piece {
+                Piece::Sphere(center, _) => Some([0, 1, 2].map(|k| 2.0 * center[k] - foot[k])),
+                _ => None,
+            },
+        ));
         let least = feet.iter().map(|&q| distance(p, q)).fold(f64::INFINITY, f64::min);
         let near = feet.iter().filter(|q| distance(p, **q) <= least + 2.0 * epsilon);
         let ways: Vec<Point> = near.map(|&q| sub(q, p)).collect();
