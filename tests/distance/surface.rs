@@ -73,16 +73,6 @@ fn the_axis_of_a_ring_goes_round_it() {
 fn the_axis_of_a_torus_is_a_loop_of_edges() {
     let tube: Vec<[f64; 2]> = polygon(24, 0.7).iter().map(|p| [2.0 + p[0], p[1]]).collect();
     let (circle, topology) = surface(&turned(&tube, 48), inner(0.2, 1.0));
-    let mut deg = vec![0; circle.vertices().len()];
-    circle.edges().iter().flatten().for_each(|&v| deg[v as usize] += 1);
-    let h = 0.2;
-    let _ = h;
-    for (i, d) in deg.iter().enumerate() {
-        if *d != 2 {
-            println!("{d} {:?}", circle.vertices()[i]);
-        }
-    }
-    println!("{} {}", circle.vertices().len(), circle.edges().len());
     assert_eq!((topology.betti, circle.faces().len()), ([1, 1, 0], 0));
     assert!(circle.edges().len() >= circle.vertices().len());
     let off = |p: &Point| (p[0].hypot(p[1]) - 2.0).hypot(p[2]);
