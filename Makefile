@@ -9,7 +9,7 @@ COUNTED := --features count-stages --test predicates
 HOST = $(shell rustc -vV | sed -n 's/^host: //p')
 CONFIGURE := cmake -S . -B $(BUILD)/medax
 
-.PHONY: help demo test test-rust test-package bench bench-peers results medial flow figure3 convergence stress tsan header doc install clean
+.PHONY: help demo test test-rust test-package bench bench-peers results medial flow figure3 three-lines convergence stress tsan header doc install clean
 .DEFAULT_GOAL := help
 
 help:
@@ -92,6 +92,10 @@ flow:
 	cargo build --release --locked
 	python3 benches/flow.py target/release/medax $(MODELS) docs
 	python3 benches/cores.py target/release/medax $(MODELS) docs/cores.png
+
+three-lines:
+	cargo run --release --locked --example three_lines -- target/xy.ply target/yz.ply target/xz.ply
+	python3 benches/three_lines.py target/xy.ply target/yz.ply target/xz.ply docs/three_lines.png
 
 # Minutes, and the more exact the less else there is to do for the machine.
 figure3:

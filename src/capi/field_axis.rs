@@ -52,12 +52,12 @@ pub struct medax_field_axis_options {
     /// The number of points at which each circle or sphere is looked at, from 12 to 2^20. 0, the default, asks for as many as the bound
     /// takes in the plane, for 60 in space.
     pub samples: u32,
-    /// Must be 0.
-    pub reserved: u32,
+    /// 1 to keep only what has its nearest points on two sites; 0 by default.
+    pub between_sites: u32,
 }
 
 sized_struct!(medax_field_axis_options,
-    first_size: size_of::<medax_field_axis_options>(), reserved: reserved, {
+    first_size: size_of::<medax_field_axis_options>(), reserved: none, {
     density: f64 = 0.0,
     object_angle: f64 = 0.0,
     min_distance: f64 = 0.0,
@@ -69,7 +69,7 @@ sized_struct!(medax_field_axis_options,
     has_clip: u32 = 0,
     side: u32 = medax_side::Inner as u32,
     samples: u32 = 0,
-    reserved: u32 = 0,
+    between_sites: u32 = 0,
 });
 
 impl medax_field_axis_options {
@@ -83,6 +83,7 @@ impl medax_field_axis_options {
             bound: self.bound,
             samples: self.samples as usize,
             clip: has_clip.then_some([self.clip_min, self.clip_max]),
+            between_sites: flag(self.between_sites, "between_sites")?,
             decide: DecideOptions { tolerance: self.tolerance, epsilon: self.epsilon },
         })
     }
@@ -103,6 +104,7 @@ impl From<&FieldOptions> for medax_field_axis_options {
             has_clip: u32::from(options.clip.is_some()),
             side: medax_side::from(options.side) as u32,
             samples: u32::try_from(options.samples).unwrap_or(u32::MAX),
+            between_sites: u32::from(options.between_sites),
             ..Self::DEFAULT
         }
     }

@@ -2,6 +2,7 @@
 
 use super::decide::DecideOptions;
 use super::locate::MedialPoint;
+use super::pairs::SitePairs;
 use super::sites::Sites;
 use super::{plane, space};
 use crate::complex::{Attribute, Complex, ComplexParts, Element, Values};
@@ -24,6 +25,8 @@ pub struct FieldOptions {
     /// The least distance of a point from the boundary, in input units. 0, the default, asks for a quarter of the density in the plane, where it bounds how fine the cover gets; in space
     /// for nothing.
     pub min_distance: f64,
+    /// Keep only what has its nearest points on two sites; off by default. With sites that are not convex the rest is no part of their Voronoi diagram.
+    pub between_sites: bool,
     /// In the plane the largest object angle that a point may have and be missed, in radians in (0, pi); pi / 9 by default.
     pub bound: f64,
     /// The number of points at which each circle or sphere is looked at, at least 12. 0, the default, asks for as many as the bound takes in the plane, for 60 in space.
@@ -41,6 +44,7 @@ impl Default for FieldOptions {
             density: 0.0,
             angle: 0.0,
             min_distance: 0.0,
+            between_sites: false,
             bound: PI / 9.0,
             samples: 0,
             clip: None,
@@ -76,6 +80,7 @@ pub struct Cover {
 pub struct FieldAxis {
     pub(super) sites: Arc<Sites>,
     pub(super) options: FieldOptions,
+    pub(super) pairs: SitePairs,
     pub(super) points: Vec<MedialPoint>,
     pub(super) cover_of_point: Vec<u32>,
     pub(super) covers: Vec<Cover>,
@@ -93,11 +98,36 @@ impl FieldAxis {
 
     /// [`FieldAxis::new`] as a stage of a larger build.
     pub(crate) fn new_in(sites: &Arc<Sites>, options: FieldOptions, run: &Run<'_>) -> Result<Self> {
+        FieldAxis::of(sites, options, SitePairs::any(options.between_sites), run)
+    }
+
+    /// The same, of which only what has its nearest points on one of some pairs of sites is looked for: pieces of the sites' Voronoi diagram. A pair of a site with itself asks for the
+    /// parts of the medial axis that belong to that site alone.
+    ///
+    /// Errors: as [`FieldAxis::new`]; [`Status::InvalidArgument`] with the row of a pair that names no site.
+    pub fn between(
+        sites: &Arc<Sites>,
+        pairs: &[[u32; 2]],
+        options: FieldOptions,
+        job: &Job,
+    ) -> Result<Self> {
+        job.run(&[(Stage::Field, 1.0)], |run| {
+            let pairs = SitePairs::of(sites, options.between_sites, pairs)?;
+            FieldAxis::of(sites, options, pairs, run)
+        })
+    }
+
+    fn of(
+        sites: &Arc<Sites>,
+        options: FieldOptions,
+        pairs: SitePairs,
+        run: &Run<'_>,
+    ) -> Result<Self> {
         run.enter(Stage::Field)?;
         let options = options.resolved(sites)?;
         match sites.dimension() {
-            2 => plane::axis(sites, options, run),
-            _ => space::axis(sites, options, run),
+            2 => plane::axis(sites, options, pairs, run),
+            _ => space::axis(sites, options, pairs, run),
         }
     }
 
@@ -143,7 +173,7 @@ impl FieldAxis {
     pub fn complex(&self, job: &Job) -> Result<Complex> {
         job.run(&[(Stage::Extract, 1.0)], |run| {
             run.enter(Stage::Extract)?;
-            let attributes = self.sites.attributes_of(&self.points, run)?;
+            let attributes = self.sites.attributes_of(Element::Vertex, &self.points, run)?;
             let missed = self.cover_of_point.iter().map(|&c| self.covers[c as usize].missed_angle);
             let missed = Values::F64(missed.collect());
             let missed = Attribute::new("missed_angle", Element::Vertex, 1, missed)?;
@@ -159,9 +189,10 @@ impl FieldAxis {
 }
 
 impl Sites {
-    /// What vertices carry that are medial points.
+    /// What vertices carry that are medial points, or faces and edges that stand for them.
     pub(super) fn attributes_of(
         &self,
+        element: Element,
         points: &[MedialPoint],
         run: &Run<'_>,
     ) -> Result<Vec<Attribute>> {
@@ -171,16 +202,21 @@ impl Sites {
         let pieces = points.iter().flat_map(|point| point.pieces);
         let sites = pieces.clone().map(|piece| self.site_of_piece()[piece as usize]);
         Ok(vec![
-            Attribute::new("radius", Element::Vertex, 1, of(|point| point.radius))?,
-            Attribute::new("object_angle", Element::Vertex, 1, of(|point| point.object_angle))?,
-            Attribute::new("feet", Element::Vertex, 6, Values::F64(feet.collect()))?,
-            Attribute::new("pieces", Element::Vertex, 2, Values::U32(pieces.collect()))?,
-            Attribute::new("sites", Element::Vertex, 2, Values::U32(sites.collect()))?,
+            Attribute::new("radius", element, 1, of(|point| point.radius))?,
+            Attribute::new("object_angle", element, 1, of(|point| point.object_angle))?,
+            Attribute::new("feet", element, 6, Values::F64(feet.collect()))?,
+            Attribute::new("pieces", element, 2, Values::U32(pieces.collect()))?,
+            Attribute::new("sites", element, 2, Values::U32(sites.collect()))?,
         ])
     }
 }
 
 impl FieldOptions {
+    /// Whether a point passes the thresholds.
+    pub(super) fn pass(&self, point: &MedialPoint) -> bool {
+        point.object_angle >= self.angle && point.radius >= self.min_distance
+    }
+
     /// The same with numbers for defaults.
     fn resolved(mut self, sites: &Sites) -> Result<Self> {
         let wrong = |message: String| Err(Error::new(Status::InvalidArgument, message));

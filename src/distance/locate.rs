@@ -138,7 +138,7 @@ impl Search<'_> {
     }
 
     /// The medial point with these two nearest points, the second of which is that of its piece anew.
-    fn touching(&self, a: &Foot, b: &Foot, center: Vec3, radius: f64) -> MedialPoint {
+    pub fn touching(&self, a: &Foot, b: &Foot, center: Vec3, radius: f64) -> MedialPoint {
         let shape = Shape::from(&self.sites.pieces()[b.piece as usize]);
         let anew = shape.closest(center);
         // A sphere has its nearest point wherever one looks from, but from its centre.

@@ -4,16 +4,20 @@
 mod arcs;
 mod bound;
 mod closest;
+mod crossing;
 mod decide;
 mod field;
 mod locate;
 mod nearest;
+mod pairs;
 mod piece;
 mod plane;
 mod side;
 mod sites;
 mod space;
+mod surface;
 mod tree;
+mod validate;
 
 pub use arcs::{GraphOptions, MedialGraph};
 pub use bound::largest_missed_angle;

@@ -46,6 +46,19 @@ impl Piece {
         }
     }
 
+    /// The same with 0 for every -0.
+    pub(super) fn normalized(self) -> Self {
+        let plain = |p: Vec3| p.map(|x| x + 0.0);
+        match self {
+            Piece::Point(p) => Piece::Point(plain(p)),
+            Piece::Segment(ends) => Piece::Segment(ends.map(plain)),
+            Piece::Ray(origin, along) => Piece::Ray(plain(origin), plain(along)),
+            Piece::Line(origin, along) => Piece::Line(plain(origin), plain(along)),
+            Piece::Triangle(corners) => Piece::Triangle(corners.map(plain)),
+            Piece::Sphere(center, radius) => Piece::Sphere(plain(center), radius),
+        }
+    }
+
     /// Errors: [`Status::NonFinite`], [`Status::CoordinateRange`] beyond 2^200, [`Status::InvalidArgument`] for a direction or a radius without meaning, and for what does not lie in the plane.
     pub(super) fn check(&self, dimension: u32) -> Result<()> {
         let (vectors, radius) = match *self {

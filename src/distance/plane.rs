@@ -4,6 +4,7 @@ use super::bound::{largest_missed_angle, samples_for};
 use super::decide::Ball;
 use super::field::{Cover, FieldAxis, FieldOptions};
 use super::locate::{MedialPoint, Search};
+use super::pairs::SitePairs;
 use super::sites::Sites;
 use crate::error::{Error, Result, Status};
 use crate::job::{Room, Run};
@@ -35,18 +36,25 @@ enum Fate {
     Covered(Cover, Vec<MedialPoint>, usize),
 }
 
-pub(super) fn axis(sites: &Arc<Sites>, options: FieldOptions, run: &Run<'_>) -> Result<FieldAxis> {
+pub(super) fn axis(
+    sites: &Arc<Sites>,
+    options: FieldOptions,
+    pairs: SitePairs,
+    run: &Run<'_>,
+) -> Result<FieldAxis> {
     let samples = match options.samples {
         0 => samples_for(options.bound),
         samples => samples,
     };
     let options = FieldOptions { samples, ..options };
     let directions = sites.even_directions(samples).collect();
-    let plane = Plane { search: sites.search(options.decide)?, options, directions };
+    let search = sites.search(options.decide)?;
+    let plane = Plane { search, options, pairs: pairs.clone(), directions };
     let mut room = Room::new(run);
     let mut axis = FieldAxis {
         sites: sites.clone(),
         options,
+        pairs,
         points: Vec::new(),
         cover_of_point: Vec::new(),
         covers: Vec::new(),
@@ -117,6 +125,7 @@ impl Square {
 struct Plane<'a> {
     search: Search<'a>,
     options: FieldOptions,
+    pairs: SitePairs,
     directions: Vec<Vec3>,
 }
 
@@ -143,6 +152,9 @@ impl Plane<'_> {
     /// spread L is at most 2 pi R / N, and the hull holds the circle of radius R cos(pi / N).
     fn fate(&self, square: Square, is_here: bool) -> Fate {
         let FieldOptions { density, min_distance, bound, samples, .. } = self.options;
+        let passes = |point: &MedialPoint| {
+            self.options.pass(point) && self.pairs.holds(self.search.sites, point)
+        };
         let foot = self.search.sites.foot(square.center);
         let distance = foot.distance_squared.sqrt();
         let reach = square.half * SQRT_2;
@@ -169,10 +181,10 @@ impl Plane<'_> {
         let ball = Ball { center: square.center, radius };
         let decision = self.search.examine(ball, &self.directions, |_, point| {
             found.push(point);
-            true
+            passes(&point)
         });
         let has_any = !found.is_empty();
-        found.retain(|p| p.object_angle >= self.options.angle && p.radius >= min_distance);
+        found.retain(passes);
         if has_any && found.is_empty() && square.refined < REFINED {
             return Fate::Divided(Square { refined: square.refined + 1, ..square });
         }

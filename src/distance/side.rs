@@ -5,6 +5,7 @@ use super::sites::Sites;
 use crate::complex::{Complex, answers};
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::job::{Job, Room, Run, Stage};
+use crate::medial::Side;
 use crate::predicates::coplanar_orientation;
 use crate::vector::Vec3;
 use std::sync::Arc;
@@ -53,6 +54,16 @@ impl Sites {
                 room.collect(numbers.iter().map(|&number| number > 0.5))
             }
         }
+    }
+
+    /// Whether points that are finite lie on a side.
+    pub(super) fn are_on(&self, side: Side, points: &[Vec3], run: &Run<'_>) -> Result<Vec<bool>> {
+        if side == Side::Both {
+            return Room::new(run).filled(points.len(), true);
+        }
+        let mut is_inside = self.is_inside_in(points, run)?;
+        is_inside.iter_mut().for_each(|inside| *inside = *inside == (side == Side::Inner));
+        Ok(is_inside)
     }
 
     /// Whether one point of the plane lies inside of closed curves.

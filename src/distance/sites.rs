@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 /// A boundary, as pieces that belong to sites: a polygon, a mesh, a line. Whatever can be nearest.
 ///
-/// Invariants: there is a piece; every number is finite and at most 2^200 in absolute value; `site_of_piece` has a site for each piece. In the plane, `dimension` 2, every z is 0 and
+/// Invariants: there is a piece; every number is finite, at most 2^200 in absolute value, and not -0; `site_of_piece` has a site for each piece. In the plane, `dimension` 2, every z is 0 and
 /// no piece is a triangle.
 #[derive(Clone, Debug)]
 pub struct Sites {
@@ -41,7 +41,7 @@ pub struct Nearest {
 }
 
 impl Sites {
-    /// Sites in the plane (2) or in space (3), one for each number that `site_of_piece` names.
+    /// Sites in the plane (2) or in space (3), one for each number that `site_of_piece` names. -0 becomes 0.
     ///
     /// Errors: [`Status::InvalidArgument`] for another dimension, no pieces, and with the row of the piece a direction or a radius without meaning, a piece out of the plane, or
     /// u32::MAX for its site; [`Status::NonFinite`] and [`Status::CoordinateRange`] with its row; [`Status::Mismatch`] unless each piece has a site; those of the job. Cost: O(n log n).
@@ -57,7 +57,7 @@ impl Sites {
     /// [`Sites::new`] as a stage of a larger build.
     pub(crate) fn new_in(
         dimension: u32,
-        pieces: Vec<Piece>,
+        mut pieces: Vec<Piece>,
         site_of_piece: Vec<u32>,
         run: &Run<'_>,
     ) -> Result<Self> {
@@ -76,9 +76,10 @@ impl Sites {
             let message = format!("{} sites for {} pieces", site_of_piece.len(), pieces.len());
             return Err(Error::new(Status::Mismatch, message));
         }
-        for (row, piece) in (0..).zip(run.watch(&pieces)) {
+        for (row, piece) in (0..).zip(run.watch(&mut pieces)) {
             let piece = piece?;
             piece.check(dimension).map_err(|error| error.at(ElementKind::Row, row))?;
+            *piece = piece.normalized();
         }
         if let Some(row) = site_of_piece.iter().position(|&site| site == NONE) {
             return Err(wrong("a site has no number").at(ElementKind::Row, row as u64));

@@ -3,10 +3,10 @@
 use super::decide::Ball;
 use super::field::{Cover, FieldAxis, FieldOptions};
 use super::locate::{MedialPoint, Search};
+use super::pairs::SitePairs;
 use super::sites::Sites;
 use crate::error::{Error, Result, Status};
 use crate::job::{Room, Run};
-use crate::medial::Side;
 use crate::vector::{Vec3, sub};
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -15,6 +15,8 @@ use std::sync::Arc;
 const SAMPLES: usize = 60;
 /// The cubes that one thread looks at between two reports.
 const BATCH: usize = 16;
+/// How far the lattice is moved out of the middle of the box, as a share of the density: so that the axis of what is symmetric does not lie in planes of the lattice, nor in its lines.
+const MOVED: Vec3 = [0.1318, 0.2071, 0.0787];
 /// The most cubes at once, and the most along a side.
 const LIMIT: usize = 1 << 28;
 
@@ -23,9 +25,49 @@ const LIMIT: usize = 1 << 28;
 pub(super) struct Lattice {
     pub origin: Vec3,
     pub side: f64,
+    /// The number of cubes along each axis.
+    pub count: [u32; 3],
 }
 
 impl Lattice {
+    /// The coarse cubes that fill the box to look at, and how often they are halved until their sides are no longer than the density.
+    fn coarsest(options: &FieldOptions) -> Result<(Self, u32)> {
+        let Some([min, max]) = options.clip else {
+            return Err(Error::new(Status::Internal, "there is no box to look at"));
+        };
+        let extent = sub(max, min);
+        let longest = extent.iter().copied().fold(0.0, f64::max);
+        // Cubes of which the longest spheres are no larger than a sixteenth of the box are worth a look.
+        let ratio = (longest / options.density).log2().ceil();
+        if ratio > 20.0 {
+            let message = "the density is less than 2^-20 of the box";
+            return Err(Error::new(Status::LimitExceeded, message));
+        }
+        // Below 0 where the box is smaller than one cube.
+        let levels = (ratio as u32).saturating_sub(3);
+        let side = options.density * f64::from(1u32 << levels);
+        // Room on both sides for the move.
+        let count = extent.map(|x| ((x + 0.5 * options.density) / side).ceil() as u32);
+        let origin = [0, 1, 2].map(|k| {
+            let middle = 0.5 * (min[k] + max[k]) + MOVED[k] * options.density;
+            middle - 0.5 * side * f64::from(count[k])
+        });
+        Ok((Lattice { origin, side, count }, levels))
+    }
+
+    /// That of the cubes that are not divided any further.
+    pub fn finest(options: &FieldOptions) -> Result<Self> {
+        let (mut lattice, levels) = Lattice::coarsest(options)?;
+        (0..levels).for_each(|_| lattice.halve());
+        Ok(lattice)
+    }
+
+    /// Divides each cube into eight.
+    fn halve(&mut self) {
+        self.side *= 0.5;
+        self.count = self.count.map(|count| 2 * count);
+    }
+
     /// The corner of a cube that is least in all coordinates.
     pub fn corner(&self, place: [u32; 3]) -> Vec3 {
         [0, 1, 2].map(|k| self.origin[k] + self.side * f64::from(place[k]))
@@ -37,7 +79,7 @@ impl Lattice {
     }
 
     /// The cube that holds a point.
-    fn place(&self, p: Vec3) -> [i64; 3] {
+    pub fn place(&self, p: Vec3) -> [i64; 3] {
         [0, 1, 2].map(|k| ((p[k] - self.origin[k]) / self.side).floor() as i64)
     }
 }
@@ -50,7 +92,12 @@ enum Fate {
     Found(Cover, MedialPoint),
 }
 
-pub(super) fn axis(sites: &Arc<Sites>, options: FieldOptions, run: &Run<'_>) -> Result<FieldAxis> {
+pub(super) fn axis(
+    sites: &Arc<Sites>,
+    options: FieldOptions,
+    pairs: SitePairs,
+    run: &Run<'_>,
+) -> Result<FieldAxis> {
     let samples = match options.samples {
         0 => SAMPLES,
         samples => samples,
@@ -59,13 +106,22 @@ pub(super) fn axis(sites: &Arc<Sites>, options: FieldOptions, run: &Run<'_>) -> 
     let space = Space {
         search: sites.search(options.decide)?,
         options,
+        pairs,
         directions: sites.even_directions(samples).collect(),
     };
-    let (mut lattice, mut cubes, levels) = space.whole()?;
+    let (mut lattice, levels) = Lattice::coarsest(&options)?;
+    let mut cubes = Vec::new();
+    let [columns, rows, layers] = lattice.count;
+    for z in 0..layers {
+        for y in 0..rows {
+            cubes.extend((0..columns).map(|x| [x, y, z]));
+        }
+    }
     let mut room = Room::new(run);
     for level in 0..=levels {
         let is_last = level == levels;
-        let is_here = space.sides(&lattice, &cubes, run)?;
+        let middles = room.collect(cubes.iter().map(|&place| lattice.middle(place)))?;
+        let is_here = sites.are_on(options.side, &middles, run)?;
         let parts: Vec<_> = cubes.chunks(BATCH).zip(is_here.chunks(BATCH)).collect();
         let share = |level: u32| 0.25f64.powi((levels + 1 - level) as i32);
         let fates = run.in_steps(parts, [share(level), share(level + 1)], |(cubes, is_here)| {
@@ -92,7 +148,7 @@ pub(super) fn axis(sites: &Arc<Sites>, options: FieldOptions, run: &Run<'_>) -> 
             return Err(Error::new(Status::LimitExceeded, message));
         }
         cubes = next;
-        lattice.side *= 0.5;
+        lattice.halve();
     }
     Err(Error::new(Status::Internal, "the cubes have no last level"))
 }
@@ -100,55 +156,11 @@ pub(super) fn axis(sites: &Arc<Sites>, options: FieldOptions, run: &Run<'_>) -> 
 struct Space<'a> {
     search: Search<'a>,
     options: FieldOptions,
+    pairs: SitePairs,
     directions: Vec<Vec3>,
 }
 
 impl Space<'_> {
-    /// The coarse cubes that fill the box to look at, and how often they are halved until their sides are no longer than the density.
-    fn whole(&self) -> Result<(Lattice, Vec<[u32; 3]>, u32)> {
-        let Some([min, max]) = self.options.clip else {
-            return Err(Error::new(Status::Internal, "there is no box to look at"));
-        };
-        let extent = sub(max, min);
-        let longest = extent.iter().copied().fold(0.0, f64::max);
-        // Cubes of which the longest spheres are no larger than a sixteenth of the box are worth a look.
-        let ratio = (longest / self.options.density).log2().ceil();
-        if ratio > 20.0 {
-            let message = "the density is less than 2^-20 of the box";
-            return Err(Error::new(Status::LimitExceeded, message));
-        }
-        // Below 0 where the box is smaller than one cube.
-        let levels = (ratio as u32).saturating_sub(3);
-        let side = self.options.density * f64::from(1u32 << levels);
-        let count = extent.map(|x| ((x / side).ceil() as u32).max(1));
-        // In the middle of the box.
-        let origin = [0, 1, 2].map(|k| 0.5 * (min[k] + max[k]) - 0.5 * side * f64::from(count[k]));
-        let mut cubes = Vec::new();
-        for z in 0..count[2] {
-            for y in 0..count[1] {
-                cubes.extend((0..count[0]).map(|x| [x, y, z]));
-            }
-        }
-        Ok((Lattice { origin, side }, cubes, levels))
-    }
-
-    /// For each cube whether its centre is on the side that was asked for.
-    fn sides(&self, lattice: &Lattice, cubes: &[[u32; 3]], run: &Run<'_>) -> Result<Vec<bool>> {
-        let middles = cubes.iter().map(|&place| lattice.middle(place)).collect::<Vec<_>>();
-        self.are_here(&middles, run)
-    }
-
-    /// Whether points are on the side that was asked for.
-    fn are_here(&self, points: &[Vec3], run: &Run<'_>) -> Result<Vec<bool>> {
-        match self.options.side {
-            Side::Both => Ok(vec![true; points.len()]),
-            side => {
-                let is_inside = self.search.sites.is_inside_in(points, run)?;
-                Ok(is_inside.into_iter().map(|inside| inside == (side == Side::Inner)).collect())
-            }
-        }
-    }
-
     /// Drops a cube, has it divided, or finds a point in it.
     ///
     /// A sphere that the boundary enters tells nothing and is divided. Where it is small enough its points are followed away from their nearest points of the boundary all the same: the
@@ -174,8 +186,7 @@ impl Space<'_> {
         let mut fires = false;
         self.search.examine(Ball { center, radius }, &self.directions, |_, point| {
             fires = true;
-            let is_kept = point.object_angle >= self.options.angle
-                && point.radius >= self.options.min_distance;
+            let is_kept = self.options.pass(&point) && self.pairs.holds(self.search.sites, &point);
             if is_kept && best.is_none_or(|best| rank(&point) > rank(&best)) {
                 best = Some(point);
             }
@@ -202,7 +213,7 @@ impl Space<'_> {
     ) -> Result<FieldAxis> {
         let mut room = Room::new(run);
         let centers = room.collect(found.iter().map(|(_, _, point)| point.center))?;
-        let is_here = self.are_here(&centers, run)?;
+        let is_here = sites.are_on(self.options.side, &centers, run)?;
         let [min, max] = self.options.clip.unwrap_or_default();
         let in_box = |p: Vec3| (0..3).all(|k| min[k] <= p[k] && p[k] <= max[k]);
         let mut kept: Vec<([i64; 3], bool, Cover, MedialPoint)> = room.vec(found.len())?;
@@ -222,6 +233,7 @@ impl Space<'_> {
         Ok(FieldAxis {
             sites: sites.clone(),
             options: self.options,
+            pairs: self.pairs.clone(),
             points: room.collect(kept.iter().map(|kept| kept.3))?,
             cover_of_point: room.collect(0..kept.len() as u32)?,
             covers: room.collect(kept.iter().map(|kept| kept.2))?,

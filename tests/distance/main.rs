@@ -1,9 +1,11 @@
 //! Distances to sites, and the medial axes read off them.
 
+mod exact;
 mod figures;
 mod graph;
 mod nearest;
 mod plane;
 mod shapes;
 mod space;
+mod surface;
 mod theorem;

@@ -194,3 +194,21 @@ fn bad_input_is_an_error_that_says_where() {
     assert_eq!((bad.status(), bad.element()), (Status::NonFinite, Some((ElementKind::Row, 1))));
     assert!(sites.all_nearest(&[[0.0; 3]], -1.0, &job).is_err());
 }
+
+#[test]
+fn the_sign_of_a_zero_leaves_no_trace() {
+    let zeros = [-0.0, -0.0, -0.0];
+    let pieces = vec![
+        Piece::Point(zeros),
+        Piece::Segment([zeros, [-0.0, 1.0, -0.0]]),
+        Piece::Ray(zeros, [1.0, -0.0, -0.0]),
+        Piece::Line(zeros, [-0.0, -0.0, 1.0]),
+        Piece::Triangle([zeros, [1.0, -0.0, 0.0], [-0.0, 1.0, 0.0]]),
+        Piece::Sphere([-0.0, 5.0, -0.0], 1.0),
+    ];
+    let sites = open(3, pieces);
+    // -0 and 0 are equal, and look different.
+    assert!(!format!("{:?}", sites.pieces()).contains("-0.0"));
+    let found = sites.nearest(&[[-0.0, -1.0, 0.0]], &Job::default()).unwrap()[0];
+    assert!(found.point.iter().all(|x| x.is_sign_positive()), "{found:?}");
+}

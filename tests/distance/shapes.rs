@@ -1,7 +1,8 @@
 //! Boundaries, and random numbers.
 
-use medax::Job;
+use medax::complex::{ComplexParts, Rows};
 use medax::distance::{Piece, Sites};
+use medax::{Complex, Job};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -100,4 +101,49 @@ pub fn star(random: &mut Random, count: usize) -> Vec<[f64; 2]> {
             [radius * angle.cos(), radius * angle.sin()]
         })
         .collect()
+}
+
+/// A mesh, whose faces point out.
+pub fn solid(vertices: Vec<Point>, faces: &[Vec<u32>]) -> Arc<Sites> {
+    let mut rows = Rows::default();
+    faces.iter().for_each(|face| rows.push(face).unwrap());
+    let parts = ComplexParts { vertices, faces: rows, ..ComplexParts::default() };
+    let complex = Arc::new(Complex::new(parts).unwrap());
+    let topology = complex.topology(&Job::default()).unwrap();
+    assert!(topology.closed && topology.oriented);
+    Arc::new(Sites::of_complex(&complex, &Job::default()).unwrap())
+}
+
+pub fn cuboid(size: Point) -> Arc<Sites> {
+    let corner = |i: usize| [0, 1, 2].map(|k| if i >> k & 1 == 1 { size[k] } else { 0.0 });
+    let faces: [[u32; 4]; 6] =
+        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    solid((0..8).map(corner).collect(), &faces.map(Vec::from))
+}
+
+/// What a convex ring in the plane sweeps over from z = 0 to a height.
+pub fn prism(ring: &[[f64; 2]], height: f64) -> Arc<Sites> {
+    let count = ring.len() as u32;
+    let vertices = [0.0, height].map(|z| ring.iter().map(move |p| [p[0], p[1], z]));
+    let side = |i: u32| vec![i, (i + 1) % count, count + (i + 1) % count, count + i];
+    let mut faces: Vec<Vec<u32>> = (0..count).map(side).collect();
+    faces.extend([(0..count).rev().collect(), (count..2 * count).collect()]);
+    solid(vertices.into_iter().flatten().collect(), &faces)
+}
+
+/// A closed tube round the z axis: a section in the half plane of the distance from the axis and of z, counterclockwise, turned round in some steps.
+pub fn turned(section: &[[f64; 2]], steps: u32) -> Arc<Sites> {
+    let count = section.len() as u32;
+    let at = |step: u32| {
+        let angle = TAU * f64::from(step) / f64::from(steps);
+        section.iter().map(move |p| [p[0] * angle.cos(), p[0] * angle.sin(), p[1]])
+    };
+    let side = |step: u32, i: u32| {
+        let [here, next] = [step, (step + 1) % steps].map(|step| step * count);
+        let j = (i + 1) % count;
+        vec![here + i, next + i, next + j, here + j]
+    };
+    let faces: Vec<_> =
+        (0..steps).flat_map(|step| (0..count).map(move |i| side(step, i))).collect();
+    solid((0..steps).flat_map(at).collect(), &faces)
 }

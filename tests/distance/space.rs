@@ -1,29 +1,13 @@
 //! Spheres round cubes: sound, and how complete.
 
-use crate::shapes::{Point, distance, dot, open, sub};
-use medax::complex::{ComplexParts, Rows};
+use crate::shapes::{Point, cuboid, distance, dot, open, sub};
 use medax::distance::{FieldAxis, FieldOptions, Piece, Sites};
 use medax::medial::Side;
-use medax::{Complex, Job, JobOptions};
+use medax::{Job, JobOptions};
 use std::sync::Arc;
 
 fn axis(sites: &Arc<Sites>, options: FieldOptions) -> FieldAxis {
     FieldAxis::new(sites, options, &Job::default()).unwrap()
-}
-
-/// A box, whose faces point out.
-fn cuboid(size: Point) -> Arc<Sites> {
-    let corner = |i: usize| [0, 1, 2].map(|k| if i >> k & 1 == 1 { size[k] } else { 0.0 });
-    let faces: [[u32; 4]; 6] =
-        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-    let offsets = (0..=6).map(|i| 4 * i).collect();
-    let parts = ComplexParts {
-        vertices: (0..8).map(corner).collect(),
-        faces: Rows::new(offsets, faces.concat()).unwrap(),
-        ..ComplexParts::default()
-    };
-    let complex = Arc::new(Complex::new(parts).unwrap());
-    Arc::new(Sites::of_complex(&complex, &Job::default()).unwrap())
 }
 
 /// Every point is as far from both of its feet, nothing is nearer, and it passes the thresholds.

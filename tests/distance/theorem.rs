@@ -188,3 +188,66 @@ fn the_bound_is_the_formula_of_the_theorem_and_none_outside_its_hypotheses() {
     assert_eq!(largest_missed_angle(2.0, 1.0, 10.0), None);
     assert_eq!(largest_missed_angle(f64::NAN, 1.0, 10.0), None);
 }
+
+/// Which of the three tests of algorithm 1 fire for points as a boundary, and the circle of radius 1 round the origin: read off the paper, one after the other.
+fn tests_that_fire(boundary: &[Point], phi: &[Point]) -> [bool; 3] {
+    let nearest = |p: Point| {
+        let by_distance = |a: &&Point, b: &&Point| distance(p, **a).total_cmp(&distance(p, **b));
+        *boundary.iter().min_by(by_distance).unwrap()
+    };
+    let angle = |p: Point| p[1].atan2(p[0]).rem_euclid(TAU);
+    let opposite = |p: Point| {
+        let way = sub(nearest(p), p);
+        let t = -2.0 * dot(p, way) / dot(way, way);
+        [0, 1, 2].map(|k| p[k] + t * way[k])
+    };
+    let first = phi.iter().any(|&p| nearest(p) != nearest(opposite(p)));
+    let mut theta: Vec<(Point, Point)> =
+        phi.iter().flat_map(|&p| [(p, opposite(p)), (opposite(p), p)]).collect();
+    theta.sort_by(|a, b| angle(a.0).total_cmp(&angle(b.0)));
+    let pairs = || (0..theta.len()).map(|i| (theta[i], theta[(i + 1) % theta.len()]));
+    let left_of = |a: Point, b: Point, c: Point| {
+        let (u, v) = (sub(b, a), sub(c, a));
+        u[0] * v[1] - u[1] * v[0] > 0.0
+    };
+    let second =
+        pairs().any(|((a, _), (b, _))| left_of(a, b, nearest(a)) != left_of(a, b, nearest(b)));
+    let third = pairs().any(|((a, a_opposite), (b, b_opposite))| {
+        let turn = |p: Point| (angle(p) - angle(a)).rem_euclid(TAU);
+        let (one, other) = (turn(a_opposite), turn(b_opposite));
+        let (low, high) = (one.min(other), one.max(other));
+        // The arc without a and b.
+        let is_far = low > turn(b) - 1e-9;
+        is_far && theta.iter().any(|c| turn(c.0) > low + 1e-9 && turn(c.0) < high - 1e-9)
+    });
+    [first, second, third]
+}
+
+#[test]
+fn one_circle_fires_the_second_test_alone_and_one_the_third() {
+    let at = |degrees: f64| [degrees.to_radians().cos(), degrees.to_radians().sin(), 0.0];
+    let cases = [
+        (
+            [[-0.2, -1.4, 0.0], [2.0, -0.5, 0.0]],
+            vec![at(320.0), at(70.0)],
+            [false, true, false],
+            DecideTest::Sides,
+        ),
+        (
+            [[1.3, -0.7, 0.0], [-1.6, 0.1, 0.0]],
+            directions(5, 0.0),
+            [false, false, true],
+            DecideTest::Between,
+        ),
+    ];
+    for (boundary, phi, fire, test) in cases {
+        assert_eq!(tests_that_fire(&boundary, &phi), fire);
+        let sites = open(2, boundary.map(Piece::Point).to_vec());
+        let found = sites.decide([0.0; 3], 1.0, &phi, DecideOptions::default()).unwrap();
+        assert_eq!((found.test, found.unconfirmed), (Some(test), 0));
+        // As far from both points, and in the circle.
+        let center = found.point.unwrap().center;
+        let [a, b] = boundary.map(|q| distance(q, center));
+        assert!((a - b).abs() < 1e-5 && distance(center, [0.0; 3]) <= 1.0, "{center:?}");
+    }
+}

@@ -6,6 +6,7 @@ use super::walk::Walks;
 use crate::complex::{Attribute, Complex, ComplexParts, Element, Values};
 use crate::distance::decide::DecideOptions;
 use crate::distance::locate::MedialPoint;
+use crate::distance::pairs::SitePairs;
 use crate::distance::sites::Sites;
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
@@ -55,14 +56,15 @@ impl Default for GraphOptions {
 
 /// The medial axis of a boundary in the plane: nodes, where arcs meet or end, and arcs.
 ///
-/// Without thresholds it is a deformation retract of the region, and has its Betti numbers. Invariants: `arcs` has for each arc its points in order, nodes at both ends included, whose number is below that of the
-/// nodes; every point is the centre of a ball that the boundary does not enter.
+/// Without thresholds it is a deformation retract of the region, and has its Betti numbers. Invariants: `arcs` has for each arc its points in order, at least two; nodes, whose numbers are below that of the
+/// nodes, are ends of arcs and lie within none; other points lie on one arc, once, but for those of which a loop without nodes begins and ends; every point is the centre of a ball that the boundary does
+/// not enter.
 #[derive(Clone, Debug)]
 pub struct MedialGraph {
-    sites: Arc<Sites>,
-    node_count: usize,
-    points: Vec<MedialPoint>,
-    arcs: Vec<Vec<u32>>,
+    pub(in crate::distance) sites: Arc<Sites>,
+    pub(in crate::distance) node_count: usize,
+    pub(in crate::distance) points: Vec<MedialPoint>,
+    pub(in crate::distance) arcs: Vec<Vec<u32>>,
     torn: usize,
 }
 
@@ -74,8 +76,32 @@ impl MedialGraph {
         job.run(&[(Stage::Field, 1.0)], |run| MedialGraph::new_in(sites, options, run))
     }
 
+    /// The same, of which only what has its nearest points on one of some pairs of sites is kept, as [`FieldAxis::between`](crate::distance::FieldAxis::between) does.
+    ///
+    /// Errors: as [`MedialGraph::new`]; [`Status::InvalidArgument`] with the row of a pair that names no site.
+    pub fn between(
+        sites: &Arc<Sites>,
+        pairs: &[[u32; 2]],
+        options: GraphOptions,
+        job: &Job,
+    ) -> Result<Self> {
+        job.run(&[(Stage::Field, 1.0)], |run| {
+            let pairs = SitePairs::of(sites, options.between_sites, pairs)?;
+            MedialGraph::of(sites, options, pairs, run)
+        })
+    }
+
     /// [`MedialGraph::new`] as a stage of a larger build.
     pub(crate) fn new_in(sites: &Arc<Sites>, options: GraphOptions, run: &Run<'_>) -> Result<Self> {
+        MedialGraph::of(sites, options, SitePairs::any(options.between_sites), run)
+    }
+
+    fn of(
+        sites: &Arc<Sites>,
+        options: GraphOptions,
+        pairs: SitePairs,
+        run: &Run<'_>,
+    ) -> Result<Self> {
         run.enter(Stage::Field)?;
         let (spacing, rim) = options.resolved(sites)?;
         let mut room = Room::new(run);
@@ -84,7 +110,7 @@ impl MedialGraph {
         let exact = DecideOptions { tolerance: 1e-13 * size, epsilon: 1e-15 * size };
         let envelope = Envelope { search: sites.search(exact)?, walks: &walks, rim };
         let found = envelope.arc_sides(1e-9 * size, &mut room, run)?;
-        let maker = Maker { envelope, options, spacing, nodes: &found.nodes, sites };
+        let maker = Maker { envelope, options, pairs, spacing, nodes: &found.nodes, sites };
         let chosen = maker.on_side((0..).zip(&found.sides).collect(), run)?;
         let torn = chosen.iter().filter(|(_, side)| !side.agrees).count();
         // An arc has two sides; a loop that is its own opposite is a point.
@@ -133,7 +159,7 @@ impl MedialGraph {
                 edges.extend(arc.windows(2).map(|ends| [ends[0], ends[1]]));
                 arc_of.resize(edges.len(), number);
             }
-            let mut attributes = self.sites.attributes_of(&self.points, run)?;
+            let mut attributes = self.sites.attributes_of(Element::Vertex, &self.points, run)?;
             let is_node = (0..self.points.len()).map(|i| u32::from(i < self.node_count));
             let is_node = Values::U32(is_node.collect());
             attributes.push(Attribute::new("is_node", Element::Vertex, 1, is_node)?);
@@ -193,6 +219,7 @@ struct Line {
 struct Maker<'a> {
     envelope: Envelope<'a>,
     options: GraphOptions,
+    pairs: SitePairs,
     spacing: f64,
     nodes: &'a [Node],
     sites: &'a Arc<Sites>,
@@ -221,10 +248,9 @@ impl Maker<'_> {
     }
 
     fn passes(&self, point: &MedialPoint) -> bool {
-        let [a, b] = point.pieces.map(|piece| self.sites.site_of_piece()[piece as usize]);
         point.radius >= self.options.min_distance
             && point.object_angle >= self.options.angle
-            && !(self.options.between_sites && a == b)
+            && self.pairs.holds(self.sites, point)
     }
 
     /// The parts of an arc that pass the thresholds.
