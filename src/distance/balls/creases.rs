@@ -25,6 +25,7 @@ pub(super) fn samples(
         let (mut found, mut ring, mut link, mut covered) = (vec![], vec![], vec![], vec![]);
         for edge in range {
             let ends = exposed.edges.ends[edge];
+            let [Some(a), Some(b)] = ends.map(|v| exposed.number(v)) else { continue };
             let t = &exposed.triangulation;
             t.ring(exposed.edges.cells[edge], ends[0], ends[1], &mut ring);
             link.clear();
@@ -34,8 +35,7 @@ pub(super) fn samples(
             link.dedup();
             let circle = Circle::new(ends.map(|v| exposed.ball(v)));
             circle.cover(exposed, &link, &mut covered);
-            let balls = ends.map(|v| exposed.number(v).unwrap_or(u32::MAX));
-            let ball = balls[0].min(balls[1]);
+            let ball = a.min(b);
             let level = ends.map(|v| sizes.level(exposed.ball(v).1));
             let level = level[0].max(level[1]);
             let mut push = |kind, angle: f64, level| {

@@ -29,6 +29,8 @@ pub(super) struct Exposed {
     others: Vec<u32>,
     /// The number of each triangulated ball.
     numbers: Vec<u32>,
+    /// Whether a vertex is hidden, or its ball lies in that of another.
+    is_covered: Vec<bool>,
     radii: Vec<f64>,
 }
 
@@ -76,6 +78,7 @@ impl Exposed {
             offsets: Vec::new(),
             others: Vec::new(),
             numbers,
+            is_covered: Vec::new(),
             radii,
         };
         exposed.link(all, room, run)?;
@@ -87,11 +90,16 @@ impl Exposed {
         let count = self.radii.len();
         let mut offsets = room.filled(count + 1, 0u32)?;
         let mut edges = Edges::default();
+        let mut is_covered = room.filled(count, false)?;
+        self.triangulation.hidden().iter().for_each(|&v| is_covered[v as usize] = true);
         for edge in run.watch(all.ends.into_iter().zip(all.cells)) {
             let (ends, cell) = edge?;
             let [(c, r), (d, s)] = ends.map(|v| self.ball(v));
             let way = sub(d, c);
             let distance = dot(way, way).sqrt();
+            // A ball within another may have a power cell all the same, where neither reaches.
+            is_covered[ends[0] as usize] |= distance <= s - r;
+            is_covered[ends[1] as usize] |= distance <= r - s;
             if distance < r + s && distance > (r - s).abs() {
                 room.push(&mut edges.ends, ends)?;
                 room.push(&mut edges.cells, cell)?;
@@ -111,6 +119,7 @@ impl Exposed {
             }
         }
         (self.edges, self.offsets, self.others) = (edges, offsets, others);
+        self.is_covered = is_covered;
         Ok(())
     }
 
@@ -124,11 +133,10 @@ impl Exposed {
         (self.triangulation.coords()[vertex as usize], self.radii[vertex as usize])
     }
 
-    /// The ball of a vertex that is one and not hidden in others.
+    /// The ball of a vertex that is one and not within another.
     pub fn number(&self, vertex: u32) -> Option<u32> {
         let row = self.triangulation.row_of_vertex()[vertex as usize];
-        let is_hidden = self.triangulation.hidden().binary_search(&vertex).is_ok();
-        self.numbers.get(row as usize).copied().filter(|_| !is_hidden)
+        self.numbers.get(row as usize).copied().filter(|_| !self.is_covered[vertex as usize])
     }
 
     /// The vertices next to one whose spheres cut its sphere.

@@ -31,8 +31,8 @@ pub struct Balls {
 /// How fine the boundary of a union of balls is.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BoundaryOptions {
-    /// No point of the boundary is farther than this from a sample, in input units. 0, the default, asks for a hundredth of the diagonal of the balls' box. On balls with less than
-    /// twice this radius it is halved until it is at most half the radius; next to them it grows by half the distance.
+    /// No point of the boundary is farther than this from a sample, in input units. 0, the default, asks for a hundredth of the diagonal of the balls' box. On smaller balls it is
+    /// halved until it is no more than the radius; from there it grows by half the distance.
     pub spacing: f64,
 }
 

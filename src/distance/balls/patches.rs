@@ -44,10 +44,13 @@ struct Cap {
     axis: Vec3,
     cosine: f64,
     sine: f64,
-    /// The other ball, and how fine it is sampled where that is finer.
+}
+
+/// A ball next to a sphere that is sampled finer, and its spacing.
+struct Finer {
     center: Vec3,
     radius: f64,
-    spacing: Option<f64>,
+    spacing: f64,
 }
 
 /// A sphere with the caps that others cover.
@@ -58,39 +61,37 @@ struct Patch {
     sizes: Scale,
     spacing: f64,
     caps: Vec<Cap>,
+    finer: Vec<Finer>,
 }
 
 impl Patch {
     fn new(exposed: &Exposed, vertex: u32, ball: u32, sizes: Scale) -> Self {
         let (center, radius) = exposed.ball(vertex);
         let spacing = sizes.spacing(sizes.level(radius));
-        let cap = |&other: &u32| {
+        let (mut caps, mut finer) = (Vec::new(), Vec::new());
+        for &other in exposed.others(vertex) {
             let (c, r) = exposed.ball(other);
             let way = sub(c, center);
             let distance = length(way);
             let height = 0.5 * (distance + (radius - r) * (radius + r) / distance);
             let cosine = (height / radius).clamp(-1.0, 1.0);
-            let finer = sizes.spacing(sizes.level(r));
-            Cap {
-                axis: scale(way, 1.0 / distance),
-                cosine,
-                sine: ((1.0 - cosine) * (1.0 + cosine)).sqrt(),
-                center: c,
-                radius: r,
-                spacing: Some(finer).filter(|&finer| finer < spacing),
+            let sine = ((1.0 - cosine) * (1.0 + cosine)).sqrt();
+            caps.push(Cap { axis: scale(way, 1.0 / distance), cosine, sine });
+            let its = sizes.spacing(sizes.level(r));
+            if its < spacing {
+                finer.push(Finer { center: c, radius: r, spacing: its });
             }
-        };
-        let caps = exposed.others(vertex).iter().map(cap).collect();
-        Patch { center, radius, ball, sizes, spacing, caps }
+        }
+        Patch { center, radius, ball, sizes, spacing, caps, finer }
     }
 
     /// The spacing at a point: next to finer balls it grows from theirs by half the distance.
     fn spacing_at(&self, p: Vec3) -> f64 {
-        let finer = self.caps.iter().filter_map(|cap| {
-            let spacing = cap.spacing?;
-            Some(spacing + 0.5 * (length(sub(p, cap.center)) - cap.radius).max(0.0))
-        });
-        finer.fold(self.spacing, f64::min)
+        let near = |ball: &Finer| {
+            let distance = length(sub(p, ball.center)) - ball.radius;
+            ball.spacing + 0.5 * distance.max(0.0)
+        };
+        self.finer.iter().map(near).fold(self.spacing, f64::min)
     }
 
     /// Samples what no cap covers of a triangle on the unit sphere, given the caps that may meet it.
@@ -121,7 +122,7 @@ impl Patch {
         }
         let point = add(self.center, scale(middle, self.radius));
         let spacing = self.spacing_at(point);
-        if reach * self.radius > 0.25 * spacing {
+        if 3.0 * reach * self.radius > spacing {
             run.poll()?;
             let [d, e, f] = [add(a, b), add(b, c), add(c, a)].map(unit);
             for quarter in [[a, d, f], [d, b, e], [f, e, c], [d, e, f]] {
@@ -134,7 +135,7 @@ impl Patch {
             dot(cap.axis, middle) <= cap.cosine
         };
         if met.iter().all(is_bare) {
-            let level = self.sizes.level_of(spacing);
+            let level = self.sizes.level(spacing);
             room.push(found, Sample { point, ball: self.ball, level, kind: Kind::Patch })?;
         }
         Ok(())

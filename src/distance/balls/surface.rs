@@ -30,7 +30,7 @@ pub(super) fn boundary(balls: &Balls, options: BoundaryOptions, run: &Run<'_>) -
     let row = |i: usize| Some(samples[i].point);
     let points = Points::by_row_in(samples.len(), row, PointsOptions::default(), run)?;
     let delaunay = Arc::new(Triangulation::delaunay_in(&Arc::new(points), run)?);
-    let is_inner = label(balls, &samples, &delaunay, &mut room, run)?;
+    let is_inner = label(balls, sizes, &samples, &delaunay, &mut room, run)?;
     run.enter(Stage::Extract)?;
     extract(&samples, &delaunay, &is_inner, &mut room, run)
 }
@@ -56,6 +56,7 @@ fn samples(balls: &Balls, sizes: Scale, room: &mut Room<'_>, run: &Run<'_>) -> R
 /// So a facet between two labels is dual to a Voronoi edge that crosses the boundary, and its corners are the samples nearest to where it does: no farther than the spacing.
 fn label(
     balls: &Balls,
+    sizes: Scale,
     samples: &[Sample],
     delaunay: &Arc<Triangulation>,
     room: &mut Room<'_>,
@@ -79,7 +80,54 @@ fn label(
         }
         Ok(())
     })?;
+    let mut is_thick = room.vec(is_inner.len())?;
+    for cell in run.watch(delaunay.cells().iter().zip(dual.radii_squared())) {
+        let (corners, &radius_squared) = cell?;
+        let level = |v: u32| samples[delaunay.row_of_vertex()[v as usize] as usize].level;
+        let level = corners.iter().map(|&v| level(v)).max().unwrap_or(0);
+        is_thick.push(radius_squared >= sizes.spacing(level).powi(2));
+    }
+    for side in [false, true] {
+        settle(delaunay, &mut is_inner, side, &is_thick, run)?;
+    }
     Ok(is_inner)
+}
+
+/// Gives the other side what of one side is cut off from all that is thick, and from outside: it is finer than the samples can tell, and comes and goes with their places.
+fn settle(
+    t: &Triangulation,
+    is_inner: &mut [bool],
+    side: bool,
+    is_thick: &[bool],
+    run: &Run<'_>,
+) -> Result<()> {
+    let mut room = Room::new(run);
+    let mut parts = DisjointSets::new(is_inner.len(), run)?;
+    let mut is_kept = room.collect(is_thick.iter().copied())?;
+    for cell in run.watch((0..is_inner.len()).filter(|&cell| is_inner[cell] == side)) {
+        let cell = cell?;
+        for next in t.neighbors()[cell] {
+            match next {
+                NONE => is_kept[cell] |= !side,
+                next if is_inner[next as usize] == side => {
+                    parts.join(cell as u32, next);
+                }
+                _ => {}
+            }
+        }
+    }
+    for cell in run.watch((0..is_inner.len()).filter(|&cell| is_inner[cell] == side)) {
+        let cell = cell?;
+        let root = parts.root(cell as u32) as usize;
+        is_kept[root] |= is_kept[cell];
+    }
+    for cell in run.watch(0..is_inner.len()) {
+        let cell = cell?;
+        if is_inner[cell] == side && !is_kept[parts.root(cell as u32) as usize] {
+            is_inner[cell] = !side;
+        }
+    }
+    Ok(())
 }
 
 /// The facets between inner cells and others, outside counting as one; with vertices as many as it has sheets at a sample.

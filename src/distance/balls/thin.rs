@@ -34,13 +34,8 @@ pub(super) struct Scale(pub f64);
 const LEVELS: u8 = 200;
 
 impl Scale {
-    /// How often the spacing is halved on a ball, so that half a radius is not less.
-    pub fn level(self, radius: f64) -> u8 {
-        self.level_of(0.5 * radius)
-    }
-
-    /// How often it is halved, to be no more than a length.
-    pub fn level_of(self, length: f64) -> u8 {
+    /// How often it is halved, to be no more than a length: the radius of a ball.
+    pub fn level(self, length: f64) -> u8 {
         let (mut level, mut spacing) = (0, self.0);
         while spacing > length && level < LEVELS {
             spacing *= 0.5;
@@ -72,7 +67,7 @@ pub(super) fn thinned(
     let mut finer = 0;
     for level in (0..=LEVELS).rev().filter(|&level| counts[usize::from(level)] > 0) {
         finer += counts[usize::from(level)];
-        let size = (finer / 2).max(1).next_power_of_two();
+        let size = finer.next_power_of_two();
         let grid = Grid {
             side: 0.5 * sizes.spacing(level),
             heads: room.filled(size, NOTHING)?,
@@ -114,11 +109,13 @@ impl Grid {
         p.map(|x| (x / self.side).floor() as i64)
     }
 
-    /// The bucket of a cube (Teschner and others 2003, *Optimized spatial hashing for collision detection of deformable objects*).
-    fn bucket(&self, [x, y, z]: [i64; 3]) -> usize {
-        let mixed =
+    /// The bucket of a cube. Cubes of a block of 64 stand together, blocks are scattered (Teschner and others 2003, *Optimized spatial hashing for collision detection of deformable objects*).
+    fn bucket(&self, cube: [i64; 3]) -> usize {
+        let [x, y, z] = cube.map(|i| i >> 2);
+        let block =
             x.wrapping_mul(73_856_093) ^ y.wrapping_mul(19_349_663) ^ z.wrapping_mul(83_492_791);
-        mixed as usize & (self.heads.len() - 1)
+        let place = cube.iter().fold(0, |place, i| place << 2 | (i & 3));
+        (block << 6 | place) as usize & (self.heads.len() - 1)
     }
 
     fn is_near(&self, p: Vec3) -> bool {
