@@ -339,7 +339,7 @@ fn a_model_comes_back_from_its_axis() {
     }
     let mesh = Arc::new(read_complex(file, &Job::default()).unwrap());
     let solid = measured(&mesh)[1];
-    let means = [0.04, 0.02].map(|density| {
+    let [coarse, fine] = [0.04, 0.02].map(|density| {
         let boundary = reconstructed(&mesh, density);
         let options = CompareOptions { samples: 5000, ..CompareOptions::default() };
         let found = compare(&boundary, &mesh, &options, &Job::default()).unwrap();
@@ -348,8 +348,9 @@ fn a_model_comes_back_from_its_axis() {
         assert!(found.a_to_b.max.max(found.b_to_a.max) < diagonal, "{found:?}");
         // Its balls lie in the solid.
         let volume = measured(&boundary)[1];
-        assert!(volume < solid && volume > 0.9 * solid, "{volume} of {solid}");
-        found.a_to_b.mean.max(found.b_to_a.mean)
+        assert!(volume < solid, "{volume} of {solid}");
+        [found.a_to_b.mean.max(found.b_to_a.mean), solid - volume]
     });
-    assert!(means[1] < 0.5 * means[0], "{means:?}");
+    // Twice as dense, it comes at least twice as near.
+    assert!((0..2).all(|k| fine[k] < 0.5 * coarse[k]), "{fine:?} after {coarse:?}");
 }
