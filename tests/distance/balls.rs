@@ -215,6 +215,9 @@ fn balls_that_touch_or_meet_in_one_circle_are_closed() {
     for gap in [-1e-3, -1e-9, 0.0, 1e-12, 1e-4] {
         let boundary = checked(&balls(vec![[0.0; 3], [1.8 + gap, 0.0, 0.0]], vec![1.0, 0.8]), 0.05);
         assert_near(measured(&boundary)[1], 4.0 / 3.0 * PI * 1.512, 0.01);
+        // One piece or two, and no bubbles in the wedge.
+        let found = topology(&boundary);
+        assert!(found.betti[0] <= 2 && found.betti[1] == 0 && found.nonmanifold_edges == 0);
     }
     // A pencil: all spheres go through one circle, so that only the first and the last show.
     let at = |i: i32| [0.2 * f64::from(i) - 0.5, 0.0, 0.0];
