@@ -2,6 +2,7 @@
 //! `docs/algorithms/distance.md`.
 
 mod arcs;
+mod balls;
 mod bound;
 mod closest;
 mod crossing;
@@ -20,6 +21,7 @@ mod tree;
 mod validate;
 
 pub use arcs::{GraphOptions, MedialGraph};
+pub use balls::{Balls, BoundaryOptions};
 pub use bound::largest_missed_angle;
 pub use decide::{DecideOptions, DecideTest, Decision};
 pub use field::{Cover, FieldAxis, FieldOptions};

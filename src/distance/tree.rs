@@ -8,11 +8,11 @@ use crate::points::Bounds;
 use crate::vector::{Vec3, dot, sub};
 
 /// The children of a node, and the most pieces in a leaf.
-const WIDE: usize = 4;
+pub(super) const WIDE: usize = 4;
 /// What may wait: three siblings a level, and levels enough for 2^32 pieces.
-const DEPTH: usize = 3 * 20 + 4;
+pub(super) const DEPTH: usize = 3 * 20 + 4;
 /// A child that is a leaf: its pieces begin at the number's other bits.
-const LEAF: u32 = 1 << 31;
+pub(super) const LEAF: u32 = 1 << 31;
 
 /// The boxes of four children, coordinate by coordinate, so that they are compared at once.
 #[derive(Clone, Copy, Debug)]
@@ -38,9 +38,9 @@ pub(super) struct Tree {
 }
 
 /// A piece in the making of a tree.
-struct Item {
-    middle: Vec3,
-    number: u32,
+pub(super) struct Item {
+    pub middle: Vec3,
+    pub number: u32,
 }
 
 impl Tree {
@@ -221,7 +221,7 @@ impl Node {
 }
 
 /// A range of items in up to four parts, halved twice.
-fn halved(items: &mut [Item], begin: usize, end: usize) -> [(usize, usize); WIDE] {
+pub(super) fn halved(items: &mut [Item], begin: usize, end: usize) -> [(usize, usize); WIDE] {
     let mut half = |begin: usize, end: usize| {
         if end - begin <= WIDE {
             return end;

@@ -1,5 +1,6 @@
 //! Distances to sites, and the medial axes read off them.
 
+mod balls;
 mod exact;
 mod figures;
 mod graph;

@@ -275,6 +275,7 @@ impl Options {
             min_distance: self.min_distance,
             bound: (missed * (PI / 180.0)).min(PI.next_down()),
             samples: self.samples.unwrap_or(0),
+            between_sites: self.between_sites,
             clip: self.clip(sites),
             decide: DecideOptions {
                 tolerance: self.tolerance.unwrap_or(0.0),
