@@ -20,12 +20,12 @@ def main():
     for column, view in enumerate([(1, 0.55, 0.6), (-0.7, -1, 0.75)]):
         plotter.subplot(0, column)
         for piece, color in zip(pieces, COLORS):
-            plotter.add_mesh(pyvista.read(piece), color=color, opacity=0.85, smooth_shading=True)
-        for ends in LINES:
-            plotter.add_mesh(pyvista.Tube(*ends, radius=0.03), color="black")
+            plotter.add_mesh(pyvista.read(piece), color=color, opacity=0.85)
+        for a, b in LINES:
+            plotter.add_mesh(pyvista.Tube(pointa=a, pointb=b, radius=0.03), color="black")
         plotter.add_mesh(pyvista.Cube(bounds=(-2, 2) * 3), style="wireframe", color="gray")
         plotter.view_vector(view, viewup=(0, 0, 1))
-        plotter.camera.zoom(1.1)
+        plotter.camera.zoom(0.95)
     plotter.screenshot(file)
 
 

@@ -152,9 +152,7 @@ impl Plane<'_> {
     /// spread L is at most 2 pi R / N, and the hull holds the circle of radius R cos(pi / N).
     fn fate(&self, square: Square, is_here: bool) -> Fate {
         let FieldOptions { density, min_distance, bound, samples, .. } = self.options;
-        let passes = |point: &MedialPoint| {
-            self.options.pass(point) && self.pairs.holds(self.search.sites, point)
-        };
+        let is_between = |point: &MedialPoint| self.pairs.holds(self.search.sites, point);
         let foot = self.search.sites.foot(square.center);
         let distance = foot.distance_squared.sqrt();
         let reach = square.half * SQRT_2;
@@ -181,10 +179,10 @@ impl Plane<'_> {
         let ball = Ball { center: square.center, radius };
         let decision = self.search.examine(ball, &self.directions, |_, point| {
             found.push(point);
-            passes(&point)
+            is_between(&point)
         });
         let has_any = !found.is_empty();
-        found.retain(passes);
+        found.retain(|point| self.options.pass(point) && is_between(point));
         if has_any && found.is_empty() && square.refined < REFINED {
             return Fate::Divided(Square { refined: square.refined + 1, ..square });
         }

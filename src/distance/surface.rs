@@ -10,7 +10,7 @@ use crate::job::{Job, Room, Run, Stage};
 use crate::vector::{Vec3, add, length, scale, sub};
 use std::collections::HashMap;
 
-/// The edges or squares that one thread looks at between two polls.
+/// The edges or squares that one thread looks at in one go.
 const BATCH: usize = 16;
 
 /// A cube, by its place in the lattice; a vertex of the lattice, by the cube above it.
@@ -135,9 +135,9 @@ impl Surface<'_> {
         let edges = self.cells_of(front, begin, edges_of, Self::cubes_round)?;
         let parts = edges.chunks(BATCH).collect();
         let found = self.run.in_parallel(parts, |edges| {
-            self.run.poll()?;
             let mut found = Vec::new();
             for &(base, axis) in edges {
+                self.run.poll()?;
                 let ends = [base, stepped(base, axis)].map(|place| self.lattice.corner(place));
                 self.search.crossings(ends, self.axis.options.angle, &mut |point| {
                     if self.is_asked_for(&point) {
@@ -172,10 +172,12 @@ impl Surface<'_> {
         let squares = self.cells_of(front, begin, squares_of, Self::cubes_beside)?;
         let parts = squares.chunks(BATCH).collect();
         let found = self.run.in_parallel(parts, |squares| {
-            self.run.poll()?;
-            let found =
-                squares.iter().filter_map(|square| Some((*square, self.in_square(square)?)));
-            Ok(found.collect::<Vec<_>>())
+            let mut found = Vec::new();
+            for square in squares {
+                self.run.poll()?;
+                found.extend(self.in_square(square).map(|point| (*square, point)));
+            }
+            Ok(found)
         })?;
         let mut hints = Vec::new();
         for (square, point) in self.here(found.into_iter().flatten().collect())? {
