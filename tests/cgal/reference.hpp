@@ -67,6 +67,24 @@ struct Axis {
 // for it.
 Axis medial(const std::vector<Point>& points, const std::vector<Point>& directions, double theta, double rho);
 
+using PlanePoint = std::array<double, 2>;
+using PlaneSegment = std::array<PlanePoint, 2>;
+using Polylines = std::vector<std::vector<PlanePoint>>;
+
+// The part of the Voronoi diagram of segments that lies inside the polygons of which they are the sides, but for edges
+// between a segment and its own end. Its points are no farther apart than the step.
+struct PlaneAxis {
+    Polylines lines;
+    double seconds = 0;  // of the diagram
+};
+PlaneAxis plane_axis(const std::vector<PlaneSegment>& segments, double step);
+
+// How far the points of polylines are from others.
+struct Distance {
+    double max = 0, mean = 0;
+};
+Distance distance(const Polylines& from, const Polylines& to);
+
 // Balls on a grid: each centre moved to the nearest multiple of 2^-36 of the least power of two that the longest side of
 // the samples' box does not exceed; its weight the squared distance to the least sample that has the
 // ball as a pole, as the nearest double, then as the nearest multiple of the squared step.
