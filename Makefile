@@ -9,7 +9,7 @@ COUNTED := --features count-stages --test predicates
 HOST = $(shell rustc -vV | sed -n 's/^host: //p')
 CONFIGURE := cmake -S . -B $(BUILD)/medax
 
-.PHONY: help demo test test-rust test-package bench bench-peers results medial flow figure3 three-lines convergence stress tsan header doc install clean
+.PHONY: help demo test test-rust test-package bench bench-peers bench-nearest peers results medial flow figure3 three-lines convergence stress tsan header doc install clean
 .DEFAULT_GOAL := help
 
 help:
@@ -17,6 +17,7 @@ help:
 	@echo 'make test              every check and test; installs what they need on Debian'
 	@echo 'make bench             how long each stage takes'
 	@echo 'make bench-peers       triangulations against those of CGAL, in turns'
+	@echo 'make bench-nearest     nearest points of meshes against CGAL'"'"'s AABB tree, in turns'
 	@echo 'make results           power crusts of real models against what is known of them: docs/results.md'
 	@echo 'make medial            medial axes of real models, tables and pictures: docs/medial.md; needs pyvista'
 	@echo 'make flow              cores of real models and smooth shapes, tables and pictures: docs/flow.md; needs pyvista'
@@ -67,17 +68,24 @@ bench:
 	cargo bench --locked
 
 # Against CGAL, on the same points: PEERS='--count 100000 --rounds 5 poles', or files of points.
-bench-peers:
+bench-peers: peers
+	$(BUILD)/peers/peers $(PEERS)
+
+# Nearest points of the meshes in MODELS.
+bench-nearest: peers
+	$(BUILD)/peers/nearest $(NEAREST)
+
+peers:
 	@cmake/requirements.sh bench-peers
 	$(CONFIGURE) -DCMAKE_INSTALL_PREFIX=$(BUILD)/peers-prefix
 	cmake --build $(BUILD)/medax
 	cmake --install $(BUILD)/medax
 	cmake -S benches/peers -B $(BUILD)/peers -G Ninja -DCMAKE_PREFIX_PATH=$(BUILD)/peers-prefix
 	cmake --build $(BUILD)/peers
-	$(BUILD)/peers/peers $(PEERS)
 
 # From the models in MODELS, a folder.
 MODELS ?= ../shared/data
+NEAREST ?= --count 50000 $(addprefix $(MODELS)/,fandisk.off rocker-arm.obj foot.off abc_plate_00000329.obj refined_elephant.off igea.ply)
 results:
 	cargo build --release --locked
 	python3 benches/results.py target/release/medax $(MODELS) > results.md.part
