@@ -100,8 +100,8 @@ bool compare(const std::string& name, const char* kind, const medax::Sites& site
     for (std::size_t i = 0; i < queries.size(); ++i)
         worst = std::max(worst, std::abs(nearest[i].distance - distances[i]) / sites.size());
     const double count = static_cast<double>(queries.size());
-    std::printf("| %s | %zu | %s | %.2f | %.2f | %.2f | %.2f | %.0e |\n", name.c_str(), sites.piece_count(), kind, count / median(theirs) / 1e6,
-                count / median(ours) / 1e6, median(ratios), build_ratio, worst);
+    std::printf("| %s | %zu | %s | %.1f | %.1f | %.2f | %.2f | %.0e |\n", name.c_str(), sites.piece_count(), kind, count / median(theirs) / 1e3,
+                count / median(ours) / 1e3, median(ratios), build_ratio, worst);
     std::fflush(stdout);
     return worst <= 1e-12;
 }
@@ -128,7 +128,7 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "usage: nearest [--count N] [--rounds R] FILE...\n");
         return 2;
     }
-    std::printf("| mesh | triangles | queries | CGAL, M/s | medax, M/s | times as fast | tree built, times as fast | largest difference |\n"
+    std::printf("| mesh | triangles | queries | CGAL, thousands a second | medax, thousands a second | times as fast | tree built, times as fast | largest difference |\n"
                 "|---|--:|---|--:|--:|--:|--:|--:|\n");
     bool agree = true;
     for (const std::string& file : files) try {
