@@ -1,12 +1,12 @@
 //! Which Voronoi facets cannot extend a core: those whose flow leaves the medial axis of its side.
 
+use super::Flow;
 use super::closure::Subset;
+use super::critical::CriticalClass;
 use super::simplex::{Simplex, VoronoiSet};
 use super::source::Source;
 use super::subdivision::Subdivision;
 use super::upstream::Upstream;
-use super::critical::CriticalClass;
-use super::Flow;
 use crate::error::Result;
 use crate::index::NONE;
 use crate::job::{Room, Run};

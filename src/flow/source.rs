@@ -47,10 +47,7 @@ impl Source<'_> {
         let begin = self.dual.centers()[cell as usize];
         if other == NONE {
             let ray = self.dual.rays().of_facet(cell, self.triangles.sides[triangle as usize][1]);
-            return Share::on_ray(dot(
-                sub(at, begin),
-                self.dual.rays().directions()[ray as usize],
-            ));
+            return Share::on_ray(dot(sub(at, begin), self.dual.rays().directions()[ray as usize]));
         }
         let end = self.dual.centers()[other as usize];
         let along = sub(end, begin);

@@ -201,7 +201,8 @@ impl Subdivision {
             if saddles.get(next_saddle) == Some(&triangle) {
                 let saddle = self.hits + next_saddle as u32;
                 let share = source.share(triangle, self.points[saddle as usize]);
-                let is_before = |&v: &u32| cuts.hits[(v - cells) as usize].share.order(&share).is_lt();
+                let is_before =
+                    |&v: &u32| cuts.hits[(v - cells) as usize].share.order(&share).is_lt();
                 back = list.partition_point(is_before);
                 list.insert(back, cells + saddle);
                 next_saddle += 1;

@@ -4,7 +4,9 @@ use crate::flow_reference::held_center;
 use crate::medial::{dual_of, labels_of, samples};
 use crate::sets::{self, Random};
 use medax::dual::DualOptions;
-use medax::flow::{CoreOptions, CriticalClass, Flow, FlowComplex, FlowElement, FlowOptions, Simplex};
+use medax::flow::{
+    CoreOptions, CriticalClass, Flow, FlowComplex, FlowElement, FlowOptions, Simplex,
+};
 use medax::sample::{SampleOptions, Shape, sample};
 use medax::{Dual, Job, JobOptions, Labels, Status};
 use std::collections::BTreeMap;
@@ -249,7 +251,8 @@ fn facets_that_cannot_extend_a_core_are_those_whose_closures_have_other_critical
             }
             _ => false,
         });
-        let is_left = is_left || class.get(&Simplex::Edge(facet)).is_some_and(|c| *c != CriticalClass::Inner);
+        let is_left =
+            is_left || class.get(&Simplex::Edge(facet)).is_some_and(|c| *c != CriticalClass::Inner);
         assert_eq!(core.excluded().leaving, usize::from(is_left), "facet {facet}");
         if is_left { leaving += 1 } else { staying.push(facet) }
     }
