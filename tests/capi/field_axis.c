@@ -288,7 +288,7 @@ static void between(void) {
     for (uint32_t dimension = 2; dimension <= 3; ++dimension) {
         const medax_sites *sites = three_points(dimension);
         const double half = dimension == 2 ? 2 : 1.2;
-        const medax_field_axis_options options = in_cube(dimension == 2 ? 0.1 : 0.4, half);
+        const medax_field_axis_options options = in_cube(dimension == 2 ? 0.2 : 0.4, half);
         const medax_field_axis *some = NULL, *every = NULL, *none = NULL, *plain = built(sites, &options);
         CHECK_STATUS(OK, medax_field_axis_between(sites, pair, 1, &options, NULL, &some));
         const medax_view_f64 points = medax_field_axis_points(some);
