@@ -293,6 +293,11 @@ MEDAX_API uint64_t medax_last_error_index(void);
 typedef struct medax_all_nearest medax_all_nearest;
 
 /**
+ * Balls, whose union is a solid.
+ */
+typedef struct medax_balls medax_balls;
+
+/**
  * Cocone and Tight Cocone of a sample.
  */
 typedef struct medax_cocone medax_cocone;
@@ -3760,7 +3765,7 @@ typedef struct {
      */
     uint64_t elsewhere;
     /**
-     * The number of those whose flow comes to a critical point of the surface, or of the other side, which are left out.
+     * The number of those whose flow comes to a critical point of the surface, or of the other side, and of those that stay open for a sample within the solid when the core is repaired; they are left out.
      */
     uint64_t leaving;
     /**
@@ -5990,9 +5995,9 @@ typedef struct {
      */
     uint32_t samples;
     /**
-     * Must be 0.
+     * 1 to keep only what has its nearest points on two sites; 0 by default.
      */
-    uint32_t reserved;
+    uint32_t between_sites;
 } medax_field_axis_options;
 
 /**
@@ -6067,6 +6072,29 @@ medax_status medax_field_axis_build(const medax_sites *sites,
                                     const medax_field_axis_options *options,
                                     const medax_job *job,
                                     const medax_field_axis **out_axis);
+
+/**
+ * Finds points of the medial axis that have their nearest points on one of some pairs of sites: pieces of the Voronoi diagram of the sites.
+ * Others are not looked for.
+ *
+ * \param sites The sites, which the result keeps alive.
+ * \param pairs `pair_count` x 2 sites, either first; a site with itself for the parts of the medial axis that belong to that site alone.
+ *        NULL only if `pair_count` is 0.
+ * \param pair_count The number of pairs; with 0 there are no points.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_axis Receives the points, which the caller frees with #medax_field_axis_free.
+ * \return As #medax_field_axis_build; also `INVALID_ARGUMENT` with the row of a pair that names no site.
+ *
+ * As #medax_field_axis_build. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_field_axis_between(const medax_sites *sites,
+                                      const uint32_t *pairs,
+                                      size_t pair_count,
+                                      const medax_field_axis_options *options,
+                                      const medax_job *job,
+                                      const medax_field_axis **out_axis);
 
 /**
  * What distances were measured to.
@@ -6235,6 +6263,46 @@ medax_status medax_field_axis_complex(const medax_field_axis *axis,
                                       const medax_complex **out_complex);
 
 /**
+ * The medial axis as a surface of polygons, in space, as fine as the density.
+ *
+ * A vertex stands for each cube of the finest lattice in which a point was found; an edge of the lattice that crosses the axis makes a
+ * quadrilateral of the four cubes round it, and cubes among these that have no point get one. Where only the square between two cubes meets
+ * the axis, as a curve does, a loose edge joins their vertices. Every vertex is a medial point. Nothing bounds what is missed.
+ *
+ * Vertices, faces and loose edges carry `radius`, `object_angle`, `feet` (the two nearest points), `pieces` and `sites` (of these): faces
+ * and edges those of the point where the lattice crosses the axis. A face between two sites is oriented from the lesser to the larger.
+ *
+ * \param axis The field axis.
+ * \param job NULL for a default job.
+ * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` in the plane, where #medax_medial_graph_build has the arcs; `LIMIT_EXCEEDED` past 2^32 - 1
+ *         corners of faces; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * Some queries for each edge and square of the cubes that the axis passes. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_field_axis_surface(const medax_field_axis *axis,
+                                      const medax_job *job,
+                                      const medax_complex **out_complex);
+
+/**
+ * Checks a field axis: that nothing is nearer to a point than its radius, and its feet are as near; its angle, thresholds, side and sites;
+ * and what covers hold and claim.
+ *
+ * \param axis The field axis.
+ * \param job NULL for a default job.
+ * \param out_report Filled, its `struct_size` being set.
+ * \return `MEDAX_STATUS_OK` whatever was found; `NULL_ARGUMENT`, `INVALID_ARGUMENT` for a report of no version, `CANCELLED`, `BUSY`,
+ *         `OUT_OF_MEMORY`.
+ *
+ * Some queries for each point and each circle. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_field_axis_validate(const medax_field_axis *axis,
+                                       const medax_job *job,
+                                       medax_validation *out_report);
+
+/**
  * One more reference to a field axis.
  *
  * \param axis The field axis, or NULL.
@@ -6336,6 +6404,28 @@ medax_status medax_medial_graph_build(const medax_sites *sites,
                                       const medax_medial_graph_options *options,
                                       const medax_job *job,
                                       const medax_medial_graph **out_graph);
+
+/**
+ * Follows the medial axis of sites in the plane, of which only what has its nearest points on one of some pairs of sites is kept.
+ *
+ * \param sites The sites, which the result keeps alive.
+ * \param pairs `pair_count` x 2 sites, either first; a site with itself for the parts of the medial axis that belong to that site alone.
+ *        NULL only if `pair_count` is 0.
+ * \param pair_count The number of pairs; with 0 there are no arcs.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_graph Receives the graph, which the caller frees with #medax_medial_graph_free.
+ * \return As #medax_medial_graph_build; also `INVALID_ARGUMENT` with the row of a pair that names no site.
+ *
+ * As #medax_medial_graph_build. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_medial_graph_between(const medax_sites *sites,
+                                        const uint32_t *pairs,
+                                        size_t pair_count,
+                                        const medax_medial_graph_options *options,
+                                        const medax_job *job,
+                                        const medax_medial_graph **out_graph);
 
 /**
  * What the boundary was.
@@ -6462,6 +6552,23 @@ medax_status medax_medial_graph_complex(const medax_medial_graph *graph,
                                         const medax_complex **out_complex);
 
 /**
+ * Checks a medial graph: that nothing is nearer to a point than its radius; that its feet are as near, and seen under its angle; and which
+ * points arcs have, and where.
+ *
+ * \param graph The graph.
+ * \param job NULL for a default job.
+ * \param out_report Filled, its `struct_size` being set.
+ * \return `MEDAX_STATUS_OK` whatever was found; `NULL_ARGUMENT`, `INVALID_ARGUMENT` for a report of no version, `CANCELLED`, `BUSY`,
+ *         `OUT_OF_MEMORY`.
+ *
+ * Some queries for each point. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_medial_graph_validate(const medax_medial_graph *graph,
+                                         const medax_job *job,
+                                         medax_validation *out_report);
+
+/**
  * One more reference to a medial graph.
  *
  * \param graph The graph, or NULL.
@@ -6480,7 +6587,187 @@ MEDAX_API const medax_medial_graph *medax_medial_graph_clone(const medax_medial_
  */
 MEDAX_API void medax_medial_graph_free(const medax_medial_graph *graph);
 
-/* ---- 35. File contents ------------------------------------------------------------------------
+/* ---- 35. Balls --------------------------------------------------------------------------------
+ *
+ * Unions of balls, such as those of a medial axis, which are the solid again: how far points are from one, and its boundary as a mesh.
+ * (Edelsbrunner 1995, The union of balls and its dual shape.)
+ */
+
+/**
+ * How fine the boundary of a union of balls is.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * No point of the boundary is farther than this from a sample, in input units. 0, the default, asks for a hundredth of the diagonal of
+     * #medax_balls_bounds. On smaller balls it is halved until it is no more than the radius.
+     */
+    double spacing;
+} medax_boundary_options;
+
+/**
+ * Makes balls of the caller's centres and radii, which are copied. They may overlap, lie in each other and repeat each other.
+ *
+ * \param center_xyz `center_count` x 3 coordinates, up to 2^194 in absolute value.
+ * \param center_count The number of balls, from 1 to 2^28 - 8.
+ * \param radii `radius_count` radii in input units, from 2^-160 to 2^194.
+ * \param radius_count As many.
+ * \param job NULL for a default job.
+ * \param out_balls Receives the balls, which the caller frees with #medax_balls_free.
+ * \return `MEDAX_STATUS_OK`; with the row of a ball: `NON_FINITE`, `COORDINATE_RANGE`, and `INVALID_ARGUMENT` for a radius that is not
+ *         positive; `MISMATCH` unless each centre has a radius; `TOO_FEW_POINTS` without any; `LIMIT_EXCEEDED` for too many;
+ *         `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(n log n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_balls_create(const double *center_xyz,
+                                size_t center_count,
+                                const double *radii,
+                                size_t radius_count,
+                                const medax_job *job,
+                                const medax_balls **out_balls);
+
+/**
+ * Balls round the vertices of a complex, which carry `radius`, as those of any medial axis do. Faces and edges count for nothing.
+ *
+ * \param complex The complex, of which a copy is made.
+ * \param job NULL for a default job.
+ * \param out_balls Receives the balls, which the caller frees with #medax_balls_free.
+ * \return `MEDAX_STATUS_OK`; `MISMATCH` where vertices carry no `radius`; with a vertex for the row what #medax_balls_create returns.
+ *
+ * O(n log n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_balls_of_complex(const medax_complex *complex,
+                                    const medax_job *job,
+                                    const medax_balls **out_balls);
+
+/**
+ * The number of balls.
+ *
+ * \param balls The balls; NULL has none.
+ * \return The number of balls.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API size_t medax_balls_count(const medax_balls *balls);
+
+/**
+ * The centres.
+ *
+ * \param balls The balls, or NULL.
+ * \return n x 3 coordinates. Borrowed from `balls`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_balls_centers(const medax_balls *balls);
+
+/**
+ * The radii.
+ *
+ * \param balls The balls, or NULL.
+ * \return n x 1, in input units. Borrowed from `balls`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_balls_radii(const medax_balls *balls);
+
+/**
+ * The smallest box that holds all balls.
+ *
+ * \param balls The balls.
+ * \param out_min Receives the three least coordinates.
+ * \param out_max Receives the three greatest coordinates.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * O(n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_balls_bounds(const medax_balls *balls,
+                                double *out_min,
+                                double *out_max);
+
+/**
+ * For each of some points x the least of |x - c| - r over all balls: negative inside the union, 0 on its boundary, outside the distance to
+ * it. Inside it is no distance, but how deep the point is in the ball in which it is deepest, which is at most that.
+ *
+ * \param balls The balls.
+ * \param query_xyz `query_count` x 3 coordinates; NULL only if `query_count` is 0.
+ * \param query_count The number of points.
+ * \param job NULL for a default job.
+ * \param out_distances Receives `query_count` numbers in input units; the caller's buffer, NULL only if `query_count` is 0.
+ * \return `MEDAX_STATUS_OK`; `NON_FINITE`, or `COORDINATE_RANGE` beyond 2^200, with the row of a query; `NULL_ARGUMENT`,
+ *         `INVALID_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * About O(log n) a query where the radii of neighbours are alike. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_balls_distances(const medax_balls *balls,
+                                   const double *query_xyz,
+                                   size_t query_count,
+                                   const medax_job *job,
+                                   double *out_distances);
+
+/**
+ * Sets the options of boundaries to their defaults.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_boundary_options_init(medax_boundary_options *options,
+                                         size_t struct_size);
+
+/**
+ * The boundary of the union as a mesh of triangles that points out of it.
+ *
+ * The mesh is closed; each edge has two triangles, four where the mesh touches itself. Every vertex lies on the sphere of the ball that
+ * its attribute `ball` names, and in no ball, up to rounding; every point of the mesh is within the spacing of the boundary. What is thinner
+ * than the spacing, be it of the solid or of what lies between its parts, may be closed or cut. Balls with a radius of less than 2^-40 of
+ * the largest coordinate are left out.
+ *
+ * \param balls The balls.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_complex Receives the mesh, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for a spacing that is no length; `COORDINATE_RANGE` where all balls are left out;
+ *         `LIMIT_EXCEEDED` for more than 2^28 samples; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(n log n + m log m) for m samples in practice; where all balls meet, O(n^2). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_balls_boundary(const medax_balls *balls,
+                                  const medax_boundary_options *options,
+                                  const medax_job *job,
+                                  const medax_complex **out_complex);
+
+/**
+ * One more reference to balls.
+ *
+ * \param balls The balls, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_balls *medax_balls_clone(const medax_balls *balls);
+
+/**
+ * Gives one reference to balls back; the last one frees them.
+ *
+ * \param balls The balls; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_balls_free(const medax_balls *balls);
+
+/* ---- 36. File contents ------------------------------------------------------------------------
  *
  * What a file holds, before points or a complex are made of it. Reading trusts nothing, and an error
  * names the line of a text or the byte of a binary file. The ending of a path names the format:
@@ -6656,7 +6943,7 @@ MEDAX_API const medax_file *medax_file_clone(const medax_file *file);
  */
 MEDAX_API void medax_file_free(const medax_file *file);
 
-/* ---- 36. Reading and writing ------------------------------------------------------------------
+/* ---- 37. Reading and writing ------------------------------------------------------------------
  *
  * Written are PLY, OFF, OBJ, STL, XYZ, PTS, TXT, CSV, MA, VTU, and GeoJSON for plane complexes, by the ending of the path, to a
  * file beside the given name, which is moved into place when it is complete: after an error, a file
@@ -6807,7 +7094,7 @@ MEDAX_API const medax_warnings *medax_warnings_clone(const medax_warnings *warni
  */
 MEDAX_API void medax_warnings_free(const medax_warnings *warnings);
 
-/* ---- 37. Samples ------------------------------------------------------------------------------
+/* ---- 38. Samples ------------------------------------------------------------------------------
  *
  * Points of the surfaces of built-in shapes and of meshes, evenly spread: no two are nearer than
  * the spacing. The same options give the same points on every machine.

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// The chapters of the header in order: the files of `src/capi`.
-const CHAPTERS: [&str; 37] = [
+const CHAPTERS: [&str; 38] = [
     "status",
     "handle",
     "view",
@@ -42,6 +42,7 @@ const CHAPTERS: [&str; 37] = [
     "decide",
     "field_axis",
     "medial_graph",
+    "balls",
     "file",
     "io",
     "sample",

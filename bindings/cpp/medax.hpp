@@ -28,4 +28,5 @@
 #include <medax/flow.hpp>
 #include <medax/flow_complex.hpp>
 #include <medax/distance.hpp>
+#include <medax/balls.hpp>
 #include <medax/sample.hpp>

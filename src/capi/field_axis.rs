@@ -12,10 +12,11 @@ use super::medial::{medax_side, side};
 use super::medial_points::MedialPoints;
 use super::options::{self, Report, SizedStruct, flag, sized_struct};
 use super::status::medax_status;
+use super::validation::{self, medax_validation};
 use super::view::{self, Buffer, Out, medax_view_f64, medax_view_u32};
-use crate::distance::{Cover, DecideOptions, FieldAxis, FieldOptions};
+use crate::distance::{Cover, DecideOptions, FieldAxis, FieldOptions, Sites};
 use crate::error::Result;
-use crate::job::Stage;
+use crate::job::{Run, Stage};
 use std::f64::consts::PI;
 use std::ptr;
 use std::sync::Arc;
@@ -144,21 +145,59 @@ pub unsafe extern "C" fn medax_field_axis_build(
     job: *const medax_job,
     out_axis: *mut *const medax_field_axis,
 ) -> medax_status {
+    boundary::status(|| build(sites, options, job, out_axis, FieldAxis::new_in))
+}
+
+/// Finds points of the medial axis that have their nearest points on one of some pairs of sites: pieces of the Voronoi diagram of the sites.
+/// Others are not looked for.
+///
+/// \param sites The sites, which the result keeps alive.
+/// \param pairs `pair_count` x 2 sites, either first; a site with itself for the parts of the medial axis that belong to that site alone.
+///        NULL only if `pair_count` is 0.
+/// \param pair_count The number of pairs; with 0 there are no points.
+/// \param options NULL for the defaults.
+/// \param job NULL for a default job.
+/// \param out_axis Receives the points, which the caller frees with #medax_field_axis_free.
+/// \return As #medax_field_axis_build; also `INVALID_ARGUMENT` with the row of a pair that names no site.
+///
+/// As #medax_field_axis_build. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_field_axis_between(
+    sites: *const medax_sites,
+    pairs: *const u32,
+    pair_count: usize,
+    options: *const medax_field_axis_options,
+    job: *const medax_job,
+    out_axis: *mut *const medax_field_axis,
+) -> medax_status {
     boundary::status(|| {
-        let sites = &handle::get(sites, "sites")?.sites;
-        let options = options::read(options, "options")?.translate()?;
-        let out = Out::new(out_axis, "out_axis")?;
-        let mut own = None;
-        let stages = [(Stage::Field, 0.98), (Stage::Extract, 0.02)];
-        let (axis, points) = handle::job(job, &mut own).run(&stages, |run| {
-            let axis = FieldAxis::new_in(sites, options, run)?;
-            run.enter(Stage::Extract)?;
-            let points = MedialPoints::new(axis.points(), sites, run)?;
-            Ok((axis, points))
-        })?;
-        out.put(handle::new(medax_field_axis { axis, points }));
-        Ok(())
+        let pairs = view::rows(pairs, pair_count, "pairs")?;
+        build(sites, options, job, out_axis, |sites, options, run| {
+            FieldAxis::between_in(sites, pairs, options, run)
+        })
     })
+}
+
+unsafe fn build(
+    sites: *const medax_sites,
+    options: *const medax_field_axis_options,
+    job: *const medax_job,
+    out_axis: *mut *const medax_field_axis,
+    find: impl FnOnce(&Arc<Sites>, FieldOptions, &Run<'_>) -> Result<FieldAxis>,
+) -> Result<()> {
+    let sites = &handle::get(sites, "sites")?.sites;
+    let options = options::read(options, "options")?.translate()?;
+    let out = Out::new(out_axis, "out_axis")?;
+    let mut own = None;
+    let stages = [(Stage::Field, 0.98), (Stage::Extract, 0.02)];
+    let (axis, points) = handle::job(job, &mut own).run(&stages, |run| {
+        let axis = find(sites, options, run)?;
+        run.enter(Stage::Extract)?;
+        let points = MedialPoints::new(axis.points(), sites, run)?;
+        Ok((axis, points))
+    })?;
+    out.put(handle::new(medax_field_axis { axis, points }));
+    Ok(())
 }
 
 /// What distances were measured to.
@@ -413,6 +452,56 @@ pub unsafe extern "C" fn medax_field_axis_complex(
         out.put(complex::give(Arc::new(axis.complex(handle::job(job, &mut own))?)));
         Ok(())
     })
+}
+
+/// The medial axis as a surface of polygons, in space, as fine as the density.
+///
+/// A vertex stands for each cube of the finest lattice in which a point was found; an edge of the lattice that crosses the axis makes a
+/// quadrilateral of the four cubes round it, and cubes among these that have no point get one. Where only the square between two cubes meets
+/// the axis, as a curve does, a loose edge joins their vertices. Every vertex is a medial point. Nothing bounds what is missed.
+///
+/// Vertices, faces and loose edges carry `radius`, `object_angle`, `feet` (the two nearest points), `pieces` and `sites` (of these): faces
+/// and edges those of the point where the lattice crosses the axis. A face between two sites is oriented from the lesser to the larger.
+///
+/// \param axis The field axis.
+/// \param job NULL for a default job.
+/// \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+/// \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` in the plane, where #medax_medial_graph_build has the arcs; `LIMIT_EXCEEDED` past 2^32 - 1
+///         corners of faces; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+///
+/// Some queries for each edge and square of the cubes that the axis passes. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_field_axis_surface(
+    axis: *const medax_field_axis,
+    job: *const medax_job,
+    out_complex: *mut *const medax_complex,
+) -> medax_status {
+    boundary::status(|| {
+        let axis = &handle::get(axis, "axis")?.axis;
+        let out = Out::new(out_complex, "out_complex")?;
+        let mut own = None;
+        out.put(complex::give(Arc::new(axis.surface(handle::job(job, &mut own))?)));
+        Ok(())
+    })
+}
+
+/// Checks a field axis: that nothing is nearer to a point than its radius, and its feet are as near; its angle, thresholds, side and sites;
+/// and what covers hold and claim.
+///
+/// \param axis The field axis.
+/// \param job NULL for a default job.
+/// \param out_report Filled, its `struct_size` being set.
+/// \return `MEDAX_STATUS_OK` whatever was found; `NULL_ARGUMENT`, `INVALID_ARGUMENT` for a report of no version, `CANCELLED`, `BUSY`,
+///         `OUT_OF_MEMORY`.
+///
+/// Some queries for each point and each circle. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_field_axis_validate(
+    axis: *const medax_field_axis,
+    job: *const medax_job,
+    out_report: *mut medax_validation,
+) -> medax_status {
+    validation::validate(job, out_report, |job| handle::get(axis, "axis")?.axis.validate(job))
 }
 
 /// One more reference to a field axis.

@@ -145,6 +145,11 @@ pub struct medax_medial_graph {
     pub(super) arcs: crate::complex::Rows,
 }
 
+/// Balls, whose union is a solid.
+pub struct medax_balls {
+    pub(super) balls: crate::distance::Balls,
+}
+
 /// A type of which C holds counted references.
 ///
 /// Any number of threads may read a handle at once.
@@ -173,6 +178,7 @@ impl Handle for medax_sites {}
 impl Handle for medax_all_nearest {}
 impl Handle for medax_field_axis {}
 impl Handle for medax_medial_graph {}
+impl Handle for medax_balls {}
 impl Handle for medax_flattened {}
 
 /// A new handle with one reference, which the caller owns.

@@ -10,9 +10,10 @@ use super::medial::{medax_side, side};
 use super::medial_points::MedialPoints;
 use super::options::{self, flag, sized_struct};
 use super::status::medax_status;
-use super::view::{Out, medax_view_f64, medax_view_rows, medax_view_u32};
+use super::validation::{self, medax_validation};
+use super::view::{self, Out, medax_view_f64, medax_view_rows, medax_view_u32};
 use crate::complex::Rows;
-use crate::distance::{GraphOptions, MedialGraph};
+use crate::distance::{GraphOptions, MedialGraph, Sites};
 use crate::error::{Error, Result, Status};
 use crate::job::{Room, Run, Stage};
 use std::ptr;
@@ -104,22 +105,59 @@ pub unsafe extern "C" fn medax_medial_graph_build(
     job: *const medax_job,
     out_graph: *mut *const medax_medial_graph,
 ) -> medax_status {
+    boundary::status(|| build(sites, options, job, out_graph, MedialGraph::new_in))
+}
+
+/// Follows the medial axis of sites in the plane, of which only what has its nearest points on one of some pairs of sites is kept.
+///
+/// \param sites The sites, which the result keeps alive.
+/// \param pairs `pair_count` x 2 sites, either first; a site with itself for the parts of the medial axis that belong to that site alone.
+///        NULL only if `pair_count` is 0.
+/// \param pair_count The number of pairs; with 0 there are no arcs.
+/// \param options NULL for the defaults.
+/// \param job NULL for a default job.
+/// \param out_graph Receives the graph, which the caller frees with #medax_medial_graph_free.
+/// \return As #medax_medial_graph_build; also `INVALID_ARGUMENT` with the row of a pair that names no site.
+///
+/// As #medax_medial_graph_build. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_medial_graph_between(
+    sites: *const medax_sites,
+    pairs: *const u32,
+    pair_count: usize,
+    options: *const medax_medial_graph_options,
+    job: *const medax_job,
+    out_graph: *mut *const medax_medial_graph,
+) -> medax_status {
     boundary::status(|| {
-        let sites = &handle::get(sites, "sites")?.sites;
-        let options = options::read(options, "options")?.translate()?;
-        let out = Out::new(out_graph, "out_graph")?;
-        let mut own = None;
-        let stages = [(Stage::Field, 0.98), (Stage::Extract, 0.02)];
-        let built = handle::job(job, &mut own).run(&stages, |run| {
-            let graph = MedialGraph::new_in(sites, options, run)?;
-            run.enter(Stage::Extract)?;
-            let points = MedialPoints::new(graph.points(), sites, run)?;
-            let arcs = rows(graph.arcs(), run)?;
-            Ok(medax_medial_graph { graph, points, arcs })
-        })?;
-        out.put(handle::new(built));
-        Ok(())
+        let pairs = view::rows(pairs, pair_count, "pairs")?;
+        build(sites, options, job, out_graph, |sites, options, run| {
+            MedialGraph::between_in(sites, pairs, options, run)
+        })
     })
+}
+
+unsafe fn build(
+    sites: *const medax_sites,
+    options: *const medax_medial_graph_options,
+    job: *const medax_job,
+    out_graph: *mut *const medax_medial_graph,
+    follow: impl FnOnce(&Arc<Sites>, GraphOptions, &Run<'_>) -> Result<MedialGraph>,
+) -> Result<()> {
+    let sites = &handle::get(sites, "sites")?.sites;
+    let options = options::read(options, "options")?.translate()?;
+    let out = Out::new(out_graph, "out_graph")?;
+    let mut own = None;
+    let stages = [(Stage::Field, 0.98), (Stage::Extract, 0.02)];
+    let built = handle::job(job, &mut own).run(&stages, |run| {
+        let graph = follow(sites, options, run)?;
+        run.enter(Stage::Extract)?;
+        let points = MedialPoints::new(graph.points(), sites, run)?;
+        let arcs = rows(graph.arcs(), run)?;
+        Ok(medax_medial_graph { graph, points, arcs })
+    })?;
+    out.put(handle::new(built));
+    Ok(())
 }
 
 /// Arcs one after the other.
@@ -305,6 +343,25 @@ pub unsafe extern "C" fn medax_medial_graph_complex(
         out.put(complex::give(Arc::new(graph.complex(handle::job(job, &mut own))?)));
         Ok(())
     })
+}
+
+/// Checks a medial graph: that nothing is nearer to a point than its radius; that its feet are as near, and seen under its angle; and which
+/// points arcs have, and where.
+///
+/// \param graph The graph.
+/// \param job NULL for a default job.
+/// \param out_report Filled, its `struct_size` being set.
+/// \return `MEDAX_STATUS_OK` whatever was found; `NULL_ARGUMENT`, `INVALID_ARGUMENT` for a report of no version, `CANCELLED`, `BUSY`,
+///         `OUT_OF_MEMORY`.
+///
+/// Some queries for each point. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_medial_graph_validate(
+    graph: *const medax_medial_graph,
+    job: *const medax_job,
+    out_report: *mut medax_validation,
+) -> medax_status {
+    validation::validate(job, out_report, |job| handle::get(graph, "graph")?.graph.validate(job))
 }
 
 /// One more reference to a medial graph.

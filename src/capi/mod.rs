@@ -16,6 +16,7 @@ mod options;
 mod view;
 
 mod attribute;
+mod balls;
 mod cocone;
 mod compare;
 mod complex;

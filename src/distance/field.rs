@@ -111,10 +111,18 @@ impl FieldAxis {
         options: FieldOptions,
         job: &Job,
     ) -> Result<Self> {
-        job.run(&[(Stage::Field, 1.0)], |run| {
-            let pairs = SitePairs::of(sites, options.between_sites, pairs)?;
-            FieldAxis::of(sites, options, pairs, run)
-        })
+        job.run(&[(Stage::Field, 1.0)], |run| FieldAxis::between_in(sites, pairs, options, run))
+    }
+
+    /// [`FieldAxis::between`] as a stage of a larger build.
+    pub(crate) fn between_in(
+        sites: &Arc<Sites>,
+        pairs: &[[u32; 2]],
+        options: FieldOptions,
+        run: &Run<'_>,
+    ) -> Result<Self> {
+        let pairs = SitePairs::of(sites, options.between_sites, pairs)?;
+        FieldAxis::of(sites, options, pairs, run)
     }
 
     fn of(

@@ -297,7 +297,7 @@ FIELD(medax_field_axis_options, clip_max, 80);
 FIELD(medax_field_axis_options, has_clip, 104);
 FIELD(medax_field_axis_options, side, 108);
 FIELD(medax_field_axis_options, samples, 112);
-FIELD(medax_field_axis_options, reserved, 116);
+FIELD(medax_field_axis_options, between_sites, 116);
 
 SIZE(medax_cover, 72);
 FIELD(medax_cover, center, 0);
@@ -320,6 +320,10 @@ FIELD(medax_medial_graph_options, has_clip, 80);
 FIELD(medax_medial_graph_options, side, 84);
 FIELD(medax_medial_graph_options, between_sites, 88);
 FIELD(medax_medial_graph_options, reserved, 92);
+
+SIZE(medax_boundary_options, 16);
+FIELD(medax_boundary_options, struct_size, 0);
+FIELD(medax_boundary_options, spacing, 8);
 
 SIZE(medax_sample_options, 40);
 FIELD(medax_sample_options, struct_size, 0);

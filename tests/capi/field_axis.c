@@ -18,12 +18,42 @@ static const medax_field_axis *built(const medax_sites *sites, const medax_field
     return axis;
 }
 
+/* Three points: sites 0 to 2, of which the first two have the plane x = 0 between them, as far as y = 0.75. */
+static const medax_sites *three_points(uint32_t dimension) {
+    const medax_piece pieces[3] = {piece(MEDAX_PIECE_KIND_POINT, 0, -1, 0, 0, 0, 0, 0),
+                                   piece(MEDAX_PIECE_KIND_POINT, 1, 1, 0, 0, 0, 0, 0),
+                                   piece(MEDAX_PIECE_KIND_POINT, 2, 0, 2, 0, 0, 0, 0)};
+    return sites_of(dimension, pieces, 3);
+}
+
+/* What is outside, in a cube. */
+static medax_field_axis_options in_cube(double density, double half) {
+    medax_field_axis_options options = defaults();
+    options.side = MEDAX_SIDE_OUTER;
+    options.density = density;
+    options.has_clip = 1;
+    for (size_t k = 0; k < 3; ++k) {
+        options.clip_min[k] = -half;
+        options.clip_max[k] = half;
+    }
+    return options;
+}
+
+/* The axis finds nothing wrong with itself, and has looked at each of its points. */
+static void sound(const medax_field_axis *axis) {
+    medax_validation report;
+    report.struct_size = sizeof report;
+    CHECK_STATUS(OK, medax_field_axis_validate(axis, NULL, &report));
+    CHECK(report.problems == 0 && report.first_index == UINT64_MAX && report.first_message[0] == 0);
+    CHECK(report.checked > 8 * medax_field_axis_points(axis).rows);
+}
+
 static void initial(void) {
     const medax_field_axis_options options = defaults();
     CHECK(options.struct_size == sizeof options && options.density == 0 && options.object_angle == 0);
     CHECK(options.min_distance == 0 && fabs(options.bound - pi / 9) < 1e-15 && options.tolerance == 0);
     CHECK(options.epsilon == 0 && options.has_clip == 0 && options.side == MEDAX_SIDE_INNER);
-    CHECK(options.samples == 0 && options.reserved == 0 && options.clip_max[2] == 0);
+    CHECK(options.samples == 0 && options.between_sites == 0 && options.clip_max[2] == 0);
 }
 
 /* The views are what the complex has for writing. */
@@ -80,6 +110,7 @@ static void of_rectangle(void) {
     }
     CHECK(off == 0 && straight >= 8 && straight < points.rows);
     written(axis);
+    sound(axis);
 
     /* Defaults in numbers. */
     medax_field_axis_options found;
@@ -89,7 +120,7 @@ static void of_rectangle(void) {
     CHECK(found.density == 0.25 && found.object_angle == 1 && found.min_distance == 0.0625);
     CHECK(found.bound == options.bound && fabs(found.tolerance - 1e-9 * sqrt(20)) < 1e-15);
     CHECK(fabs(found.epsilon - 1e-6 * sqrt(20)) < 1e-12 && found.side == MEDAX_SIDE_INNER);
-    CHECK(found.samples == (uint32_t)ceil(pi / sin(pi / 18)) && found.has_clip == 1 && found.reserved == 0);
+    CHECK(found.samples == (uint32_t)ceil(pi / sin(pi / 18)) && found.has_clip == 1 && found.between_sites == 0);
     CHECK(found.clip_min[0] == 0 && found.clip_max[0] == 4 && found.clip_max[1] == 2);
     /* What was resolved asks for the same again. */
     const medax_field_axis *again = built(sites, &found);
@@ -139,17 +170,10 @@ static void of_rectangle(void) {
 /* The middle plane of two points in space, and the centre of a sphere. */
 static void in_space(void) {
     const medax_sites *sites = two_points(3);
-    medax_field_axis_options options = defaults();
+    medax_field_axis_options options = in_cube(0.4, 1);
     double angle = 77;
     size_t unclaimed = 0;
-    options.side = MEDAX_SIDE_OUTER;
-    options.density = 0.4;
     options.min_distance = 1.1;
-    options.has_clip = 1;
-    for (size_t k = 0; k < 3; ++k) {
-        options.clip_min[k] = -1;
-        options.clip_max[k] = 1;
-    }
     const medax_field_axis *axis = built(sites, &options);
     const medax_view_f64 points = medax_field_axis_points(axis);
     const medax_view_f64 angles = medax_field_axis_object_angles(axis);
@@ -162,6 +186,7 @@ static void in_space(void) {
     }
     CHECK(off == 0 && points.rows > 20);
     written(axis);
+    sound(axis);
     CHECK_STATUS(OK, medax_field_axis_claim(axis, &angle, &unclaimed));
     CHECK(angle == 0 && unclaimed == medax_field_axis_cover_count(axis));
     medax_field_axis_free(axis);
@@ -181,6 +206,135 @@ static void in_space(void) {
     }
     medax_field_axis_free(axis);
     medax_sites_free(ball);
+}
+
+/* Between two points there is a square, which is crossed from the one to the other. */
+static void surfaces(void) {
+    const medax_sites *sites = two_points(3);
+    const medax_field_axis_options options = in_cube(0.3, 1);
+    const medax_field_axis *axis = built(sites, &options);
+    const medax_job *one = job_with(0, 1), *three = job_with(0, 3);
+    const medax_complex *surface = NULL, *again = NULL;
+    medax_sites_free(sites);
+    CHECK_STATUS(OK, medax_field_axis_surface(axis, one, &surface));
+    CHECK_STATUS(OK, medax_field_axis_surface(axis, three, &again));
+    const medax_view_f64 vertices = medax_complex_vertices(surface);
+    const medax_view_rows faces = medax_complex_faces(surface);
+    NEED(vertices.rows == medax_complex_vertices(again).rows && faces.rows == medax_complex_faces(again).rows);
+    CHECK(memcmp(vertices.data, medax_complex_vertices(again).data, 24 * vertices.rows) == 0);
+    CHECK(memcmp(faces.indices, medax_complex_faces(again).indices, 16 * faces.rows) == 0);
+    medax_complex_free(again);
+
+    medax_topology topology;
+    topology.struct_size = sizeof topology;
+    CHECK_STATUS(OK, medax_complex_topology(surface, NULL, &topology));
+    CHECK(topology.betti[0] == 1 && topology.betti[1] == 0 && topology.betti[2] == 0 && topology.oriented);
+    CHECK(topology.boundary_loops == 1 && topology.nonmanifold_edges == 0 && topology.isolated_vertices == 0);
+    double area = 0, volume = 0;
+    CHECK_STATUS(OK, medax_complex_measure(surface, NULL, &area, &volume));
+    CHECK(area <= 4 && area > 4 * 0.7 * 0.7);
+
+    medax_attribute radius, angle, feet, sites_of_faces;
+    memset(&radius, 0, sizeof radius);
+    memset(&angle, 0, sizeof angle);
+    memset(&feet, 0, sizeof feet);
+    memset(&sites_of_faces, 0, sizeof sites_of_faces);
+    CHECK_STATUS(OK, medax_complex_attribute(surface, MEDAX_ELEMENT_VERTEX, "radius", &radius));
+    CHECK_STATUS(OK, medax_complex_attribute(surface, MEDAX_ELEMENT_VERTEX, "object_angle", &angle));
+    CHECK_STATUS(OK, medax_complex_attribute(surface, MEDAX_ELEMENT_VERTEX, "feet", &feet));
+    CHECK_STATUS(OK, medax_complex_attribute(surface, MEDAX_ELEMENT_FACE, "sites", &sites_of_faces));
+    NEED(radius.f64_values.rows == vertices.rows && angle.f64_values.rows == vertices.rows);
+    NEED(feet.f64_values.rows == vertices.rows && feet.f64_values.cols == 6);
+    NEED(sites_of_faces.u32_values.rows == faces.rows && sites_of_faces.u32_values.cols == 2);
+    size_t off = 0;
+    for (size_t i = 0; i < vertices.rows; ++i) {
+        const double *p = vertices.data + 3 * i, h = hypot(p[1], p[2]), *f = feet.f64_values.data + 6 * i;
+        off += fabs(p[0]) > 1e-5 || fabs(p[1]) > 1 || fabs(p[2]) > 1;
+        off += fabs(radius.f64_values.data[i] - hypot(1, h)) > 1e-5;
+        off += fabs(angle.f64_values.data[i] - 2 * atan2(1, h)) > 1e-4 || fabs(f[0] + f[3]) > 1e-9;
+    }
+    for (size_t face = 0; face < faces.rows; ++face) {
+        const uint32_t *ring = faces.indices + faces.offsets[face];
+        const double *a = vertices.data + 3 * ring[0], *b = vertices.data + 3 * ring[1];
+        const double *c = vertices.data + 3 * ring[2], *d = vertices.data + 3 * ring[3];
+        const uint32_t *pair = sites_of_faces.u32_values.data + 2 * face;
+        off += (c[1] - a[1]) * (d[2] - b[2]) - (c[2] - a[2]) * (d[1] - b[1]) <= 0 || pair[0] + pair[1] != 1;
+    }
+    CHECK(off == 0 && faces.rows > 20 && medax_complex_edges(surface).rows == 0);
+    medax_complex_free(surface);
+    medax_job_free(one);
+    medax_job_free(three);
+
+    const medax_job *spent = spent_job(), *small = job_with(2000, 0);
+    const medax_complex *none = NULL;
+    CHECK_STATUS(CANCELLED, medax_field_axis_surface(axis, spent, &none));
+    CHECK_STATUS(OUT_OF_MEMORY, medax_field_axis_surface(axis, small, &none));
+    CHECK_STATUS(NULL_ARGUMENT, medax_field_axis_surface(NULL, NULL, &none));
+    CHECK_STATUS(NULL_ARGUMENT, medax_field_axis_surface(axis, NULL, NULL));
+    medax_field_axis_free(axis);
+    const medax_sites *flat = rectangle(4, 2);
+    axis = built(flat, NULL);
+    CHECK_STATUS(INVALID_ARGUMENT, medax_field_axis_surface(axis, NULL, &none));
+    CHECK(none == NULL);
+    medax_field_axis_free(axis);
+    medax_sites_free(flat);
+    medax_job_free(small);
+    medax_job_free(spent);
+}
+
+/* Of the diagram of three points the pieces that are asked for, and no others. */
+static void between(void) {
+    static const uint32_t pair[2] = {1, 0}, all[8] = {2, 1, 0, 1, 2, 0, 1, 0}, wrong[4] = {0, 2, 3, 1}, same[2] = {0, 0};
+    for (uint32_t dimension = 2; dimension <= 3; ++dimension) {
+        const medax_sites *sites = three_points(dimension);
+        const double half = dimension == 2 ? 2 : 1.2;
+        const medax_field_axis_options options = in_cube(dimension == 2 ? 0.2 : 0.4, half);
+        const medax_field_axis *some = NULL, *every = NULL, *none = NULL, *plain = built(sites, &options);
+        CHECK_STATUS(OK, medax_field_axis_between(sites, pair, 1, &options, NULL, &some));
+        const medax_view_f64 points = medax_field_axis_points(some);
+        const medax_view_u32 numbers = medax_field_axis_sites_of_points(some);
+        NEED(points.rows > 10 && numbers.rows == points.rows && points.rows < medax_field_axis_points(plain).rows);
+        size_t off = 0;
+        double low = 9, high = -9;
+        for (size_t i = 0; i < points.rows; ++i) {
+            const double *p = points.data + 3 * i;
+            off += fabs(p[0]) > 1e-4 || p[1] > 0.75 + 1e-3 || numbers.data[2 * i] + numbers.data[2 * i + 1] != 1;
+            low = least(low, p[1]);
+            high = p[1] > high ? p[1] : high;
+        }
+        CHECK(off == 0 && low < -half + options.density && high > 0.75 - 2 * options.density);
+        sound(some);
+        written(some);
+        medax_field_axis_free(some);
+        /* All pairs, one of them twice, are all that there is. */
+        CHECK_STATUS(OK, medax_field_axis_between(sites, all, 4, &options, NULL, &every));
+        const medax_view_f64 p = medax_field_axis_feet(every), q = medax_field_axis_feet(plain);
+        CHECK(p.rows == q.rows && memcmp(p.data, q.data, 48 * p.rows) == 0);
+        medax_field_axis_free(every);
+        medax_field_axis_free(plain);
+        /* A point has no axis of its own. */
+        CHECK_STATUS(OK, medax_field_axis_between(sites, same, 1, &options, NULL, &none));
+        CHECK(medax_field_axis_points(none).rows == 0);
+        medax_field_axis_free(none);
+        CHECK_STATUS(OK, medax_field_axis_between(sites, NULL, 0, &options, NULL, &none));
+        CHECK(medax_field_axis_points(none).rows == 0);
+        medax_field_axis_free(none);
+
+        const medax_job *spent = spent_job(), *small = job_with(2000, 0);
+        none = UNTOUCHED;
+        CHECK_STATUS(INVALID_ARGUMENT, medax_field_axis_between(sites, wrong, 2, &options, NULL, &none));
+        CHECK(medax_last_error_kind() == MEDAX_ERROR_KIND_ROW && medax_last_error_index() == 1);
+        CHECK_STATUS(NULL_ARGUMENT, medax_field_axis_between(sites, NULL, 1, &options, NULL, &none));
+        CHECK_STATUS(NULL_ARGUMENT, medax_field_axis_between(NULL, pair, 1, &options, NULL, &none));
+        CHECK_STATUS(NULL_ARGUMENT, medax_field_axis_between(sites, pair, 1, &options, NULL, NULL));
+        CHECK_STATUS(INVALID_ARGUMENT, medax_field_axis_between(sites, pair, SIZE_MAX, &options, NULL, &none));
+        CHECK_STATUS(CANCELLED, medax_field_axis_between(sites, pair, 1, &options, spent, &none));
+        CHECK_STATUS(OUT_OF_MEMORY, medax_field_axis_between(sites, pair, 1, &options, small, &none));
+        CHECK(none == UNTOUCHED);
+        medax_job_free(small);
+        medax_job_free(spent);
+        medax_sites_free(sites);
+    }
 }
 
 /* The same bytes whatever the number of threads. */
@@ -227,7 +381,7 @@ static void refusals(void) {
         case 14: options.has_clip = 1; break;
         case 15: options.has_clip = 2; break;
         case 16: options.side = 3; break;
-        case 17: options.reserved = 1; break;
+        case 17: options.between_sites = 2; break;
         case 18: options.struct_size = 8; break;
         case 19: options.struct_size = 7; break;
         case 20: options.clip_max[0] = nan; options.has_clip = 1; break;
@@ -269,6 +423,13 @@ static void refusals(void) {
     CHECK_STATUS(NULL_ARGUMENT, medax_field_axis_resolved(axis, NULL));
     report.struct_size = 8;
     CHECK_STATUS(INVALID_ARGUMENT, medax_field_axis_resolved(axis, &report));
+    medax_validation found;
+    found.struct_size = 8;
+    CHECK_STATUS(INVALID_ARGUMENT, medax_field_axis_validate(axis, NULL, &found));
+    found.struct_size = sizeof found;
+    CHECK_STATUS(CANCELLED, medax_field_axis_validate(axis, spent, &found));
+    CHECK_STATUS(NULL_ARGUMENT, medax_field_axis_validate(axis, NULL, NULL));
+    CHECK_STATUS(NULL_ARGUMENT, medax_field_axis_validate(NULL, NULL, &found));
     CHECK_STATUS(NULL_ARGUMENT, medax_field_axis_sites(axis, NULL));
     CHECK(complex == NULL);
     medax_field_axis_free(axis);
@@ -315,6 +476,8 @@ int main(void) {
     initial();
     of_rectangle();
     in_space();
+    surfaces();
+    between();
     threads();
     refusals();
     cancelled();

@@ -19,6 +19,15 @@ static const medax_medial_graph *built(const medax_sites *sites, const medax_med
     return graph;
 }
 
+/* The graph finds nothing wrong with itself, and has looked at each of its points. */
+static void sound(const medax_medial_graph *graph) {
+    medax_validation report;
+    report.struct_size = sizeof report;
+    CHECK_STATUS(OK, medax_medial_graph_validate(graph, NULL, &report));
+    CHECK(report.problems == 0 && report.first_index == UINT64_MAX && report.first_message[0] == 0);
+    CHECK(report.checked > 3 * medax_medial_graph_points(graph).rows);
+}
+
 static void initial(void) {
     const medax_medial_graph_options options = defaults();
     CHECK(options.struct_size == sizeof options && options.spacing == 0 && options.object_angle == 0);
@@ -83,6 +92,7 @@ static void of_rectangle(void) {
     }
     CHECK(off == 0);
     written(graph);
+    sound(graph);
     CHECK_STATUS(OK, medax_medial_graph_sites(graph, &same));
     CHECK(medax_sites_site_of_piece(same).data == medax_sites_site_of_piece(sites).data);
     medax_sites_free(same);
@@ -173,6 +183,64 @@ static void other_boundaries(void) {
     medax_sites_free(ring);
 }
 
+/* Of the diagram of three points the arcs that are asked for: from where all three meet to the rim of the box. */
+static void between(void) {
+    static const uint32_t pair[2] = {1, 0}, all[8] = {2, 1, 0, 1, 2, 0, 1, 0}, wrong[4] = {0, 2, 3, 1}, same[2] = {0, 0};
+    const medax_piece pieces[3] = {piece(MEDAX_PIECE_KIND_POINT, 0, -1, 0, 0, 0, 0, 0),
+                                   piece(MEDAX_PIECE_KIND_POINT, 1, 1, 0, 0, 0, 0, 0),
+                                   piece(MEDAX_PIECE_KIND_POINT, 2, 0, 2, 0, 0, 0, 0)};
+    const medax_sites *sites = sites_of(2, pieces, 3);
+    medax_medial_graph_options options = defaults();
+    options.side = MEDAX_SIDE_OUTER;
+    options.has_clip = 1;
+    options.clip_min[0] = options.clip_min[1] = -2;
+    options.clip_max[0] = options.clip_max[1] = 2;
+    const medax_medial_graph *some = NULL, *every = NULL, *none = NULL, *plain = built(sites, &options);
+    CHECK(medax_medial_graph_arcs(plain).rows == 3);
+    CHECK_STATUS(OK, medax_medial_graph_between(sites, pair, 1, &options, NULL, &some));
+    const medax_view_f64 points = medax_medial_graph_points(some);
+    NEED(points.rows > 2 && medax_medial_graph_arcs(some).rows == 1);
+    double low = 9, high = -9;
+    for (size_t i = 0; i < points.rows; ++i) {
+        const double *p = points.data + 3 * i;
+        CHECK(fabs(p[0]) < 1e-9 && fabs(medax_medial_graph_radii(some).data[i] - hypot(1, p[1])) < 1e-9);
+        low = least(low, p[1]);
+        high = -least(-high, -p[1]);
+    }
+    CHECK(fabs(low + 2) < 1e-6 && fabs(high - 0.75) < 1e-9);
+    sound(some);
+    written(some);
+    medax_medial_graph_free(some);
+    /* All pairs, one of them twice, are all that there is. */
+    CHECK_STATUS(OK, medax_medial_graph_between(sites, all, 4, &options, NULL, &every));
+    const medax_view_f64 p = medax_medial_graph_points(every), q = medax_medial_graph_points(plain);
+    CHECK(p.rows == q.rows && memcmp(p.data, q.data, 24 * p.rows) == 0);
+    medax_medial_graph_free(every);
+    medax_medial_graph_free(plain);
+    /* A point has no axis of its own. */
+    CHECK_STATUS(OK, medax_medial_graph_between(sites, same, 1, &options, NULL, &none));
+    CHECK(medax_medial_graph_points(none).rows == 0 && medax_medial_graph_arcs(none).rows == 0);
+    medax_medial_graph_free(none);
+    CHECK_STATUS(OK, medax_medial_graph_between(sites, NULL, 0, &options, NULL, &none));
+    CHECK(medax_medial_graph_points(none).rows == 0 && medax_medial_graph_arcs(none).rows == 0);
+    medax_medial_graph_free(none);
+
+    const medax_job *spent = spent_job(), *small = job_with(200, 0);
+    none = UNTOUCHED;
+    CHECK_STATUS(INVALID_ARGUMENT, medax_medial_graph_between(sites, wrong, 2, &options, NULL, &none));
+    CHECK(medax_last_error_kind() == MEDAX_ERROR_KIND_ROW && medax_last_error_index() == 1);
+    CHECK_STATUS(NULL_ARGUMENT, medax_medial_graph_between(sites, NULL, 1, &options, NULL, &none));
+    CHECK_STATUS(NULL_ARGUMENT, medax_medial_graph_between(NULL, pair, 1, &options, NULL, &none));
+    CHECK_STATUS(NULL_ARGUMENT, medax_medial_graph_between(sites, pair, 1, &options, NULL, NULL));
+    CHECK_STATUS(INVALID_ARGUMENT, medax_medial_graph_between(sites, pair, SIZE_MAX, &options, NULL, &none));
+    CHECK_STATUS(CANCELLED, medax_medial_graph_between(sites, pair, 1, &options, spent, &none));
+    CHECK_STATUS(OUT_OF_MEMORY, medax_medial_graph_between(sites, pair, 1, &options, small, &none));
+    CHECK(none == UNTOUCHED);
+    medax_job_free(small);
+    medax_job_free(spent);
+    medax_sites_free(sites);
+}
+
 static void refusals(void) {
     const double nan = strtod("nan", NULL);
     const medax_sites *sites = rectangle(4, 2), *space = two_points(3);
@@ -224,6 +292,13 @@ static void refusals(void) {
     CHECK_STATUS(NULL_ARGUMENT, medax_medial_graph_complex(graph, NULL, NULL));
     CHECK_STATUS(NULL_ARGUMENT, medax_medial_graph_sites(graph, NULL));
     CHECK(complex == NULL);
+    medax_validation report;
+    report.struct_size = 8;
+    CHECK_STATUS(INVALID_ARGUMENT, medax_medial_graph_validate(graph, NULL, &report));
+    report.struct_size = sizeof report;
+    CHECK_STATUS(CANCELLED, medax_medial_graph_validate(graph, spent, &report));
+    CHECK_STATUS(NULL_ARGUMENT, medax_medial_graph_validate(graph, NULL, NULL));
+    CHECK_STATUS(NULL_ARGUMENT, medax_medial_graph_validate(NULL, NULL, &report));
     medax_medial_graph_free(graph);
     medax_job_free(spent);
     medax_job_free(small);
@@ -273,6 +348,7 @@ int main(void) {
     initial();
     of_rectangle();
     other_boundaries();
+    between();
     refusals();
     cancelled();
     null_is_nothing();

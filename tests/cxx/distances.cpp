@@ -98,10 +98,80 @@ void axes() {
     CHECK(sites.piece_count() == 0 && graph.sites().site_of_piece().data() == moved.site_of_piece().data());
 }
 
+/// The square between two points, as a surface; and the ray and lines that three points have in the plane.
+void diagrams() {
+    using medax::Piece;
+    medax::FieldAxisOptions options;
+    options.side = MEDAX_SIDE_OUTER;
+    options.density = 0.3;
+    options.has_clip = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+        options.clip_min[k] = -1;
+        options.clip_max[k] = 1;
+    }
+    const std::vector<Piece> two = {Piece::point({-1, 0, 0}), Piece::point({1, 0, 0}, 1)};
+    const medax::Sites points = medax::Sites::from(3, two);
+    const medax::FieldAxis axis = medax::FieldAxis::between(points, {{0, 1}}, options);
+    const medax::Validation found = axis.validate();
+    CHECK(found.is_valid() && found.checked > axis.points().rows() && axis.points().rows() > 20);
+    const medax::Complex square = axis.surface();
+    for (std::size_t i = 0; i < square.vertices().rows(); ++i)
+        CHECK(std::fabs(square.vertices()[i][0]) < 1e-5);
+    CHECK(square.topology().betti[0] == 1 && square.topology().boundary_loops == 1);
+    CHECK(square.faces().rows() > 20 && square.measure().area <= 4);
+    CHECK(medax::FieldAxis::between(points, {}, options).points().empty());
+    const medax::Error third = THROWN(medax::FieldAxis::between(points, {{0, 1}, {0, 2}}, options));
+    CHECK(third.status() == MEDAX_STATUS_INVALID_ARGUMENT && third.index() == 1);
+
+    const std::vector<Piece> three = {Piece::point({-1, 0, 0}), Piece::point({1, 0, 0}, 1),
+                                      Piece::point({0, 2, 0}, 2)};
+    const medax::Sites plane = medax::Sites::from(2, three);
+    medax::MedialGraphOptions outer;
+    outer.side = MEDAX_SIDE_OUTER;
+    CHECK(medax::MedialGraph::of(plane, outer).arcs().rows() == 3);
+    const medax::MedialGraph one = medax::MedialGraph::between(plane, {{1, 0}}, outer);
+    CHECK(one.arcs().rows() == 1 && one.validate().is_valid() && one.points().rows() > 2);
+    for (std::size_t i = 0; i < one.points().rows(); ++i)
+        CHECK(std::fabs(one.points()[i][0]) < 1e-9 && one.points()[i][1] < 0.75 + 1e-9);
+    CHECK(medax::MedialGraph::between(plane, {}, outer).arcs().rows() == 0);
+    const medax::Error none = THROWN(medax::MedialGraph::between(plane, {{3, 0}}, outer));
+    CHECK(none.kind() == MEDAX_ERROR_KIND_ROW && none.index() == 0);
+    CHECK(THROWN(medax::FieldAxis::of(rectangle()).surface()).status() == MEDAX_STATUS_INVALID_ARGUMENT);
+}
+
+void balls() {
+    const medax::Balls apart = medax::Balls::from({{0, 0, 0}, {4, 0, 0}}, {1, 0.5});
+    CHECK(apart.count() == 2 && apart.centers()[1][0] == 4 && apart.radii()[1][0] == 0.5);
+    CHECK(apart.bounds()[0][0] == -1 && apart.bounds()[1][0] == 4.5);
+    CHECK(apart.distances({{0, 0, 0}, {2, 0, 0}, {4, 0.5, 0}}) == (std::vector<double>{-1, 1, 0}));
+    CHECK(apart.distances({}).empty());
+    medax::BoundaryOptions options;
+    options.spacing = 0.1;
+    const medax::Complex mesh = apart.boundary(options);
+    CHECK(mesh.topology().betti[0] == 2 && mesh.topology().betti[2] == 2);
+    CHECK(std::fabs(mesh.measure().volume / (4 * pi / 3 * 1.125) - 1) < 0.01);
+    CHECK(mesh.attribute(MEDAX_ELEMENT_VERTEX, "ball").u32_values.rows() == mesh.vertices().rows());
+
+    medax::FieldAxisOptions coarse;
+    coarse.density = 0.5;
+    coarse.side = MEDAX_SIDE_BOTH;
+    const medax::Sites sphere = medax::Sites::from(3, {medax::Piece::sphere({1, 2, 3}, 2)});
+    const medax::Balls again = medax::Balls::of(medax::FieldAxis::of(sphere, coarse).complex());
+    CHECK(std::fabs(again.distances({{1, 2, 6}})[0] - 1) < 1e-4);
+    options.spacing = -1;
+    CHECK(THROWN(again.boundary(options)).status() == MEDAX_STATUS_INVALID_ARGUMENT);
+    CHECK(THROWN(medax::Balls::of(mesh)).status() == MEDAX_STATUS_MISMATCH);
+    CHECK(THROWN(medax::Balls::from({{0, 0, 0}}, {})).status() == MEDAX_STATUS_MISMATCH);
+    CHECK(THROWN(medax::Balls::from({}, {})).status() == MEDAX_STATUS_TOO_FEW_POINTS);
+    CHECK(THROWN(medax::Balls::from({{0, 0, 0}, {1, 0, 0}}, {1, 0})).index() == 1);
+}
+
 }  // namespace
 
 void distances() {
     pieces();
     queries();
     axes();
+    diagrams();
+    balls();
 }

@@ -23,6 +23,8 @@ using MedialGraphOptions =
 using Nearest = medax_nearest;
 /// A circle or sphere that was looked at.
 using Cover = medax_cover;
+/// Two sites, either first.
+using SitePair = std::array<std::uint32_t, 2>;
 
 /// A piece of a boundary, and the number of its site.
 struct Piece : medax_piece {
@@ -217,6 +219,15 @@ public:
         job.check(medax_field_axis_build(sites.get(), &options, job.get(), &axis));
         return FieldAxis(axis);
     }
+    /// Only what has its nearest points on one of some pairs of sites.
+    static FieldAxis between(const Sites &sites, const std::vector<SitePair> &pairs,
+                             const FieldAxisOptions &options = {}, const Job &job = Job::fresh()) {
+        const medax_field_axis *axis = nullptr;
+        const std::uint32_t *first = pairs.empty() ? nullptr : pairs.front().data();
+        job.check(medax_field_axis_between(sites.get(), first, pairs.size(), &options, job.get(),
+                                           &axis));
+        return FieldAxis(axis);
+    }
 
     Sites sites() const {
         const medax_sites *sites = nullptr;
@@ -263,6 +274,15 @@ public:
         job.check(medax_field_axis_complex(get(), job.get(), &complex));
         return Complex(complex);
     }
+    /// In space the axis as polygons, and loose edges where it is a curve.
+    Complex surface(const Job &job = Job::fresh()) const {
+        const medax_complex *surface = nullptr;
+        job.check(medax_field_axis_surface(get(), job.get(), &surface));
+        return Complex(surface);
+    }
+    Validation validate(const Job &job = Job::fresh()) const {
+        return detail::validated(medax_field_axis_validate, get(), job);
+    }
 };
 
 /// The medial axis of sites in the plane as a graph: nodes, where arcs meet or end, and arcs.
@@ -276,6 +296,16 @@ public:
                           const Job &job = Job::fresh()) {
         const medax_medial_graph *graph = nullptr;
         job.check(medax_medial_graph_build(sites.get(), &options, job.get(), &graph));
+        return MedialGraph(graph);
+    }
+    /// Only what has its nearest points on one of some pairs of sites.
+    static MedialGraph between(const Sites &sites, const std::vector<SitePair> &pairs,
+                               const MedialGraphOptions &options = {},
+                               const Job &job = Job::fresh()) {
+        const medax_medial_graph *graph = nullptr;
+        const std::uint32_t *first = pairs.empty() ? nullptr : pairs.front().data();
+        job.check(medax_medial_graph_between(sites.get(), first, pairs.size(), &options, job.get(),
+                                             &graph));
         return MedialGraph(graph);
     }
 
@@ -307,6 +337,9 @@ public:
         const medax_complex *complex = nullptr;
         job.check(medax_medial_graph_complex(get(), job.get(), &complex));
         return Complex(complex);
+    }
+    Validation validate(const Job &job = Job::fresh()) const {
+        return detail::validated(medax_medial_graph_validate, get(), job);
     }
 };
 

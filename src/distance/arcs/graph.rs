@@ -85,10 +85,18 @@ impl MedialGraph {
         options: GraphOptions,
         job: &Job,
     ) -> Result<Self> {
-        job.run(&[(Stage::Field, 1.0)], |run| {
-            let pairs = SitePairs::of(sites, options.between_sites, pairs)?;
-            MedialGraph::of(sites, options, pairs, run)
-        })
+        job.run(&[(Stage::Field, 1.0)], |run| MedialGraph::between_in(sites, pairs, options, run))
+    }
+
+    /// [`MedialGraph::between`] as a stage of a larger build.
+    pub(crate) fn between_in(
+        sites: &Arc<Sites>,
+        pairs: &[[u32; 2]],
+        options: GraphOptions,
+        run: &Run<'_>,
+    ) -> Result<Self> {
+        let pairs = SitePairs::of(sites, options.between_sites, pairs)?;
+        MedialGraph::of(sites, options, pairs, run)
     }
 
     /// [`MedialGraph::new`] as a stage of a larger build.
