@@ -3,6 +3,7 @@
 mod graph;
 mod points;
 mod refusals;
+mod surface;
 
 use crate::Place;
 use medax::complex::{Complex, Element, Values};
@@ -24,10 +25,6 @@ impl Place {
     fn figure(&self, name: &str, features: &[Value]) {
         let collection = json!({ "type": "FeatureCollection", "features": features });
         self.write(name, collection.to_string());
-    }
-
-    fn complex(&self, name: &str) -> Complex {
-        io::read_complex(self.path(name), &Job::default()).unwrap()
     }
 
     /// The figure that a result in GeoJSON is when it is read back.
@@ -91,6 +88,7 @@ fn the_number_of_threads_changes_no_byte() {
         "field comb.geojson --side both -o out.geojson",
         "field comb.geojson --points --density 0.5 -o out.ply",
         "field box.off --density 0.1 -o out.ply",
+        "field box.off --points --density 0.1 -o out.ply",
     ] {
         let name = command.rsplit(' ').next().unwrap();
         let written = [1, 3, 8].map(|threads| {
