@@ -59,7 +59,7 @@ fn reals(complex: &Complex, name: &str) -> Vec<f64> {
 }
 
 /// A box of sides 2, 1.5 and 1 from the origin, without its last faces.
-fn open_box(left_out: usize, more: &str) -> String {
+pub fn open_box(left_out: usize, more: &str) -> String {
     let faces = ["0 3 2 1", "0 1 5 4", "1 2 6 5", "2 3 7 6", "3 0 4 7", "4 5 6 7"];
     let corners = [[0, 0], [1, 0], [1, 1], [0, 1]];
     let corner = |z: f64| {
