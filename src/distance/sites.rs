@@ -3,7 +3,7 @@
 use super::piece::{Foot, Piece};
 use super::side::Solid;
 use super::tree::Tree;
-use crate::complex::Complex;
+use crate::complex::{Complex, DisjointSets};
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::figure::{ChainKind, Figure};
 use crate::index::NONE;
@@ -144,21 +144,65 @@ impl Sites {
 
     /// [`Sites::of_complex`] as a stage of a larger build.
     pub(crate) fn of_complex_in(complex: &Arc<Complex>, run: &Run<'_>) -> Result<Self> {
+        Sites::of_parts(complex, |_| 0, run)
+    }
+
+    /// The same pieces, each connected component of the complex a site: what its faces and edges join by common vertices, whose coordinates count for nothing. They are numbered by their least
+    /// vertices. So what lies between two solids of a mesh is told from what lies within one; both shells of a hollow solid are sites, too.
+    ///
+    /// Errors: as [`Sites::of_complex`].
+    pub fn of_components(complex: &Arc<Complex>, job: &Job) -> Result<Self> {
+        job.run(&[(Stage::Order, 1.0)], |run| Sites::of_components_in(complex, run))
+    }
+
+    /// [`Sites::of_components`] as a stage of a larger build.
+    pub(crate) fn of_components_in(complex: &Arc<Complex>, run: &Run<'_>) -> Result<Self> {
+        let mut room = Room::new(run);
+        let count = complex.vertices().len();
+        let mut components = DisjointSets::new(count, run)?;
+        for face in run.watch(complex.faces().iter()) {
+            face?.windows(2).for_each(|ends| {
+                components.join(ends[0], ends[1]);
+            });
+        }
+        for edge in run.watch(complex.edges()) {
+            let &[a, b] = edge?;
+            components.join(a, b);
+        }
+        // The root is the least vertex, so that it has its number before the others.
+        let (mut sites, mut site_of_vertex) = (0, room.vec(count)?);
+        for v in run.watch(0..count as u32) {
+            let v = v?;
+            let root = components.root(v);
+            site_of_vertex.push(if root == v { sites } else { site_of_vertex[root as usize] });
+            sites += u32::from(root == v);
+        }
+        Sites::of_parts(complex, |v| site_of_vertex[v as usize], run)
+    }
+
+    /// The pieces of a complex, with the site of one of its vertices each.
+    fn of_parts(
+        complex: &Arc<Complex>,
+        site_of_vertex: impl Fn(u32) -> u32,
+        run: &Run<'_>,
+    ) -> Result<Self> {
         let mut room = Room::new(run);
         let at = |v: u32| complex.vertices()[v as usize];
         let mut is_used = room.filled(complex.vertices().len(), false)?;
         let used = complex.faces().indices().iter().chain(complex.edges().as_flattened());
         used.for_each(|&v| is_used[v as usize] = true);
-        let mut pieces = room.vec(complex.triangles().len() + complex.edges().len())?;
-        pieces.extend(complex.triangles().iter().map(|t| Piece::Triangle(t.map(at))));
-        pieces.extend(complex.edges().iter().map(|e| Piece::Segment(e.map(at))));
-        for (v, is_used) in (0..).zip(is_used) {
-            if !is_used {
-                room.push(&mut pieces, Piece::Point(at(v)))?;
-            }
-        }
+        let unused = is_used.iter().filter(|is_used| !**is_used).count();
+        let count = complex.triangles().len() + complex.edges().len() + unused;
+        let (mut pieces, mut site_of_piece) = (room.vec(count)?, room.vec(count)?);
+        let mut push = |piece, vertex| {
+            pieces.push(piece);
+            site_of_piece.push(site_of_vertex(vertex));
+        };
+        complex.triangles().iter().for_each(|t| push(Piece::Triangle(t.map(at)), t[0]));
+        complex.edges().iter().for_each(|e| push(Piece::Segment(e.map(at)), e[0]));
+        let unused = (0..).zip(is_used).filter(|(_, is_used)| !is_used);
+        unused.for_each(|(v, _)| push(Piece::Point(at(v)), v));
         let dimension = if complex.triangles().is_empty() { complex.dimension() } else { 3 };
-        let site_of_piece = room.filled(pieces.len(), 0)?;
         let solid = match complex.triangles().is_empty() {
             true => Solid::None,
             false => Solid::Mesh(complex.clone()),

@@ -2,7 +2,7 @@
 
 use crate::exact::{nearest_of, three_lines, to_lines};
 use crate::shapes::{Point, cuboid, distance, dot, open, polygon, prism, sub, turned};
-use medax::complex::{Element, Topology, Values};
+use medax::complex::{ComplexParts, Element, Rows, Topology, Values};
 use medax::distance::{FieldAxis, FieldOptions, GraphOptions, MedialGraph, Piece, Sites};
 use medax::medial::Side;
 use medax::{Complex, ElementKind, Job, JobOptions, Status};
@@ -226,4 +226,53 @@ fn in_the_plane_there_is_no_surface() {
     let job = Job::default();
     let axis = FieldAxis::new(&hooks(2), outer(0.3), &job).unwrap();
     assert_eq!(axis.surface(&job).unwrap_err().status(), Status::InvalidArgument);
+}
+
+/// Two cubes, of which one has a loose edge, beside a vertex on its own and a square whose corner lies on one of the cubes without being it.
+#[test]
+fn components_are_sites_and_planes_lie_between_them() {
+    let cube = |x: f64| {
+        (0..8).map(move |i: usize| {
+            [0, 1, 2]
+                .map(|k| if i >> k & 1 == 1 { 1.0 } else { 0.0 } + if k == 0 { x } else { 0.0 })
+        })
+    };
+    let faces: [[u32; 4]; 6] =
+        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let alone = [[10.0, 0.0, 0.0], [11.0, 0.0, 0.0]];
+    let square = [[1.0, 1.0, 1.0], [1.0, 2.0, 1.0], [0.0, 2.0, 1.0], [0.0, 1.0, 1.0]];
+    let mut rows = Rows::default();
+    // The second cube first: numbers come from vertices, not from faces.
+    faces.iter().for_each(|face| rows.push(&face.map(|v| v + 8)).unwrap());
+    faces.iter().for_each(|face| rows.push(face).unwrap());
+    rows.push(&[18, 19, 20, 21]).unwrap();
+    let parts = ComplexParts {
+        vertices: cube(0.0).chain(cube(2.0)).chain(alone).chain(square).collect(),
+        faces: rows,
+        edges: vec![[16, 8]],
+        ..ComplexParts::default()
+    };
+    let complex = Arc::new(Complex::new(parts).unwrap());
+    let sites = Sites::of_components(&complex, &Job::default()).unwrap();
+    let counts = [(1, 12), (0, 12), (3, 2), (1, 1), (2, 1)];
+    let expected: Vec<u32> =
+        counts.into_iter().flat_map(|(site, count)| vec![site; count]).collect();
+    assert_eq!(sites.site_of_piece(), expected);
+    let components = complex.topology(&Job::default()).unwrap().components;
+    assert_eq!(u64::from(sites.site_count()), components);
+    let one = Sites::of_complex(&complex, &Job::default()).unwrap();
+    assert_eq!((one.pieces(), one.site_count()), (sites.pieces(), 1));
+    // The inside is that of the whole mesh.
+    let inside = sites.is_inside(&[[0.5; 3], [2.5, 0.5, 0.5], [1.5, 0.5, 0.5]], &Job::default());
+    assert_eq!(inside.unwrap(), [true, true, false]);
+
+    // Between the cubes a square half way, and nothing of what each has for itself.
+    let sites = Arc::new(sites);
+    let clip = Some([[1.0, 0.1, 0.1], [2.0, 0.9, 0.9]]);
+    let options = FieldOptions { side: Side::Outer, density: 0.1, clip, ..FieldOptions::default() };
+    let options = FieldOptions { between_sites: true, ..options };
+    let (diagram, topology) = surface(&sites, options);
+    assert_eq!(topology.betti, [1, 0, 0]);
+    assert!(diagram.vertices().iter().all(|p| (p[0] - 1.5).abs() < 1e-5));
+    assert!(numbers(&diagram, Element::Face, "sites").iter().all(|&pair| pair == [0, 1]));
 }

@@ -9,9 +9,10 @@ mod process;
 mod refusals;
 mod results;
 mod sizes;
+mod union;
 
 use medax::sample::{SampleOptions, Shape, sample};
-use medax::{Job, io};
+use medax::{Complex, Job, io};
 use serde_json::Value;
 use std::fs;
 use std::path::PathBuf;
@@ -45,6 +46,10 @@ impl Place {
             entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
         names.sort();
         names
+    }
+
+    fn complex(&self, name: &str) -> Complex {
+        io::read_complex(self.path(name), &Job::default()).unwrap()
     }
 
     fn command(&self, arguments: &str) -> Command {

@@ -58,7 +58,7 @@ impl BoundaryOptions {
     }
 }
 
-/// The faces and loose edges of a file, or its points where it has neither. Whether sides matter decides on a warning.
+/// The faces and loose edges of a file, or its points where it has neither; each connected component is a site. Whether sides matter decides on a warning.
 pub fn mesh(
     path: &Path,
     sides_matter: bool,
@@ -79,7 +79,7 @@ pub fn mesh(
     if sides_matter && has_inside && !(topology.closed && topology.oriented) {
         session.warn("the faces are no closed surface: inside is where they wind round a point more than half a time");
     }
-    let sites = Sites::of_complex(&Arc::new(mesh), &session.job).map_err(&about)?;
+    let sites = Sites::of_components(&Arc::new(mesh), &session.job).map_err(&about)?;
     Ok(Boundary { sites: Arc::new(sites), has_inside, crossings: 0 })
 }
 

@@ -3,7 +3,7 @@
 use crate::boundary::{self, Boundary, BoundaryOptions};
 use crate::figure::is_figure;
 use crate::report::{Counts, Report};
-use crate::session::{Failure, OutputOptions, Session};
+use crate::session::{Failure, OutputOptions, Session, ValidateOptions};
 use crate::side::Side;
 use medax::distance::{DecideOptions, FieldAxis, FieldOptions, GraphOptions, MedialGraph, Sites};
 use medax::{Complex, Error, Status, medial};
@@ -26,7 +26,7 @@ pub struct Options {
     output: OutputOptions,
     #[command(flatten)]
     boundary: BoundaryOptions,
-    /// Write points of a figure's axis, with a claim of what can have been missed, in place of its arcs and junctions
+    /// Write points of the axis in place of the arcs and junctions of a figure's, with a claim of what can have been missed, or of the polygons of a mesh's
     #[arg(long)]
     points: bool,
     /// The side of the rings, circles or faces whose axis is written
@@ -44,21 +44,53 @@ pub struct Options {
     /// For points of a figure: the largest object angle of what may be missed; 20 by default
     #[arg(long, allow_hyphen_values = true, value_name = "DEGREES")]
     missed_degrees: Option<f64>,
-    /// For points: at how many points each circle or sphere is looked at, from 12; by default what --missed-degrees needs, and 60 for a mesh
+    /// For points, and for a mesh: at how many points each circle or sphere is looked at, from 12; by default what --missed-degrees needs, and 60 for a mesh
     #[arg(long, value_name = "N")]
     samples: Option<usize>,
-    /// For points: how far from the axis they may be; a millionth of the diagonal by default
+    /// For points, and for a mesh: how far from the axis they may be; a millionth of the diagonal by default
     #[arg(long, allow_hyphen_values = true, value_name = "LENGTH")]
     epsilon: Option<f64>,
-    /// For points: nearest points no farther apart than this are the same; 1e-9 of the diagonal by default
+    /// For points, and for a mesh: nearest points no farther apart than this are the same; 1e-9 of the diagonal by default
     #[arg(long, allow_hyphen_values = true, value_name = "LENGTH")]
     tolerance: Option<f64>,
-    /// Write only what lies between two parts of a figure: polygons, lines, points, circles
+    /// Write only what lies between two sites: polygons, lines, points, circles of a figure; connected components of a mesh
     #[arg(long)]
     between_sites: bool,
+    /// Write only what lies between the sites of these pairs, such as 0-1,2-3; of a site and itself what lies within it
+    #[arg(long, value_name = "A-B[,A-B..]", value_delimiter = ',', value_parser = pair)]
+    pairs: Vec<[u32; 2]>,
     /// Look no further than the box of the input, grown by this share of its diagonal on every side; 0 by default for the inner axis, else 0.5
     #[arg(long, allow_hyphen_values = true, value_name = "SHARE")]
     clip: Option<f64>,
+    #[command(flatten)]
+    validate: ValidateOptions,
+}
+
+/// What is written.
+#[derive(Clone, Copy, PartialEq)]
+enum What {
+    /// Arcs and junctions, in the plane.
+    Graph,
+    /// Polygons, in space.
+    Surface,
+    Points,
+}
+
+impl What {
+    fn name(self) -> &'static str {
+        match self {
+            What::Graph => "graph",
+            What::Surface => "surface",
+            What::Points => "points",
+        }
+    }
+}
+
+/// Reads a pair of sites.
+fn pair(words: &str) -> Result<[u32; 2], String> {
+    let site = |word: &str| word.parse().ok();
+    let sites = words.split_once('-').and_then(|(a, b)| Some([site(a)?, site(b)?]));
+    sites.ok_or_else(|| "a pair is two numbers of sites with '-' between, such as 0-1".into())
 }
 
 pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> {
@@ -72,21 +104,26 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
             boundary::mesh(&options.input, sides_matter, &mut report, session)?
         }
     };
-    if crossings > 0 && options.is_graph() {
+    let what = options.what();
+    if crossings > 0 && what == What::Graph {
         let message = format!(
             "curves that cross or touch have no graph (pairs of them: {crossings}); give --points"
         );
         return Err(Failure::about(&options.input)(Error::new(Status::Unsupported, message)));
     }
     options.describe(&mut report);
-    let (name, complex) = match options.is_graph() {
-        true => ("axis", options.graph(&sites, &mut report, session)?),
-        false => ("points", options.sample(&sites, &mut report, session)?),
+    let complex = match what {
+        What::Graph => options.graph(&sites, &mut report, session)?,
+        What::Surface | What::Points => options.sample(&sites, &mut report, session)?,
     };
+    let name = if what == What::Points { "points" } else { "axis" };
     if complex.vertices().is_empty() {
         session.warn(match options.side {
             Side::Inner if !has_inside => {
                 "nothing is inside of points, lines and loose edges; give --side outer"
+            }
+            _ if options.between_sites && sites.site_count() == 1 => {
+                "the result is empty: there is one site, and nothing lies between two"
             }
             _ => "the result is empty: nothing of the axis is on this side and passes",
         });
@@ -98,9 +135,12 @@ pub fn run(options: &Options, session: &mut Session) -> Result<Report, Failure> 
 }
 
 impl Options {
-    /// Whether arcs and junctions are asked for.
-    fn is_graph(&self) -> bool {
-        is_figure(&self.input) && !self.points
+    fn what(&self) -> What {
+        match (self.points, is_figure(&self.input)) {
+            (true, _) => What::Points,
+            (false, true) => What::Graph,
+            (false, false) => What::Surface,
+        }
     }
 
     /// Refuses what makes no sense, before the input is read.
@@ -149,7 +189,6 @@ impl Options {
         if !is_figure(&self.input) {
             let of_figures = [
                 (self.boundary.given().unwrap_or_default(), self.boundary.given().is_some()),
-                ("--between-sites", self.between_sites),
                 ("--missed-degrees", self.missed_degrees.is_some()),
             ];
             if let Some(name) = given(&of_figures) {
@@ -162,14 +201,9 @@ impl Options {
             }
             return Ok(());
         }
-        match self.points {
-            true if self.between_sites => {
-                Err(Failure::usage("--between-sites is for arcs; leave out --points"))
-            }
-            false => given(&of_points).map_or(Ok(()), |name| {
-                Err(Failure::usage(format!("{name} is for points; give --points")))
-            }),
-            true => Ok(()),
+        match given(&of_points).filter(|_| !self.points) {
+            Some(name) => Err(Failure::usage(format!("{name} is for points; give --points"))),
+            None => Ok(()),
         }
     }
 
@@ -183,10 +217,11 @@ impl Options {
             (None, _) => 0.5,
         };
         for (name, value) in [
-            ("what", json!(if self.is_graph() { "graph" } else { "points" })),
+            ("what", json!(self.what().name())),
             ("side", json!(self.side.name())),
             ("object_degrees", json!(self.object_degrees)),
             ("between_sites", json!(self.between_sites)),
+            ("pairs", json!((!self.pairs.is_empty()).then_some(&self.pairs))),
             ("clip", json!(clip)),
         ] {
             report.parameters.insert(name.into(), value);
@@ -231,7 +266,11 @@ impl Options {
             between_sites: self.between_sites,
             clip: self.clip(sites),
         };
-        let graph = MedialGraph::new(sites, asked, &session.job)?;
+        let graph = match self.pairs.is_empty() {
+            true => MedialGraph::new(sites, asked, &session.job)?,
+            false => MedialGraph::between(sites, &self.pairs, asked, &session.job)?,
+        };
+        self.validate.report(report, || graph.validate(&session.job))?;
         let complex = graph.complex(&session.job)?;
         let length = length(&complex);
         report.parameters.insert("density".into(), json!(spacing));
@@ -260,7 +299,7 @@ impl Options {
         Ok(complex)
     }
 
-    /// Points of the axis, and what can have been missed.
+    /// Points of the axis, and what can have been missed; or the surface that goes on from them.
     fn sample(
         &self,
         sites: &Arc<Sites>,
@@ -282,7 +321,11 @@ impl Options {
                 epsilon: self.epsilon.unwrap_or(0.0),
             },
         };
-        let axis = FieldAxis::new(sites, asked, &session.job)?;
+        let axis = match self.pairs.is_empty() {
+            true => FieldAxis::new(sites, asked, &session.job)?,
+            false => FieldAxis::between(sites, &self.pairs, asked, &session.job)?,
+        };
+        self.validate.report(report, || axis.validate(&session.job))?;
         let found = axis.options();
         let in_plane = sites.dimension() == 2;
         for (name, value) in [
@@ -306,7 +349,10 @@ impl Options {
         let (claim, words) = claim(&axis);
         report.more.insert("claim".into(), claim);
         report.lines.push(("claim", words));
-        Ok(axis.complex(&session.job)?)
+        Ok(match self.points {
+            true => axis.complex(&session.job)?,
+            false => axis.surface(&session.job)?,
+        })
     }
 }
 

@@ -25,6 +25,7 @@ mod session;
 mod side;
 mod sizes;
 mod triangulate;
+mod union;
 mod variants;
 mod winding;
 
@@ -52,6 +53,7 @@ enum Command {
     Medial(Box<medial::Options>),
     Flow(Box<flow::Options>),
     Field(Box<field::Options>),
+    Union(union::Options),
     Info(info::Options),
     Compare(compare::Options),
     Decimate(decimate::Options),
@@ -69,6 +71,7 @@ impl Command {
             Command::Medial(options) => medial::run(options, session),
             Command::Flow(options) => flow::run(options, session),
             Command::Field(options) => field::run(options, session),
+            Command::Union(options) => union::run(options, session),
             Command::Info(options) => info::run(options, session),
             Command::Compare(options) => compare::run(options, session),
             Command::Decimate(options) => decimate::run(options, session),

@@ -91,7 +91,7 @@ impl OutputOptions {
 /// Whether a structure is checked before it is written.
 #[derive(clap::Args)]
 pub struct ValidateOptions {
-    /// Check the structure in exact arithmetic before writing it; fail if anything is wrong
+    /// Check the structure before writing it, by other means than those that made it; fail if anything is wrong
     #[arg(long)]
     validate: bool,
 }

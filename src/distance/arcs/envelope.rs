@@ -5,7 +5,7 @@ use super::walk::Walks;
 use crate::distance::locate::{MedialPoint, Search};
 use crate::distance::piece::Foot;
 use crate::error::Result;
-use crate::job::{Room, Run};
+use crate::job::Run;
 use crate::points::Bounds;
 use crate::vector::{Vec3, add, scale};
 
@@ -62,19 +62,23 @@ impl Envelope<'_> {
         (0..2).all(|k| self.rim.min[k] <= p[k] && p[k] <= self.rim.max[k])
     }
 
-    /// The breaks of every feature, in its order. `hints` are places of features at which balls of others touch them: where nothing else shows that something is there.
-    pub fn breaks(
+    /// Finds the breaks of some features, which `breaks` has for each in its order. `hints` are places of features at which balls of others touch them: where nothing else shows that something
+    /// is there.
+    pub fn find_breaks(
         &self,
+        features: &[usize],
         hints: &[Vec<f64>],
-        room: &mut Room<'_>,
+        breaks: &mut [Vec<Break>],
         run: &Run<'_>,
-    ) -> Result<Vec<Vec<Break>>> {
-        let features: Vec<usize> = (0..self.walks.features.len()).collect();
+    ) -> Result<()> {
         let found = run.in_steps(features.chunks(BATCH).collect(), [0.0, 0.4], |features| {
             run.poll()?;
             Ok(features.iter().map(|&f| self.breaks_of(f, &hints[f])).collect::<Vec<_>>())
         })?;
-        room.collect(found.into_iter().flatten().collect::<Vec<_>>().into_iter())
+        for (&feature, found) in features.iter().zip(found.into_iter().flatten()) {
+            breaks[feature] = found;
+        }
+        Ok(())
     }
 
     fn breaks_of(&self, feature: usize, hints: &[f64]) -> Vec<Break> {

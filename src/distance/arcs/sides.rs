@@ -57,19 +57,30 @@ impl Envelope<'_> {
         room: &mut Room<'_>,
         run: &Run<'_>,
     ) -> Result<ArcSides> {
-        let mut hints: Vec<Vec<f64>> = vec![Vec::new(); self.walks.features.len()];
+        let count = self.walks.features.len();
+        let mut hints: Vec<Vec<f64>> = vec![Vec::new(); count];
+        let mut breaks: Vec<Vec<Break>> = room.collect((0..count).map(|_| Vec::new()))?;
+        let mut changed: Vec<usize> = (0..count).collect();
         let mut round = 0;
         loop {
-            let breaks = self.breaks(&hints, room, run)?;
+            self.find_breaks(&changed, &hints, &mut breaks, run)?;
             let mut found = self.between(&breaks, tolerance, room, run)?;
             let new = self.pair(&mut found, run)?;
             round += 1;
-            if new.is_empty() || round == ROUNDS {
+            // Features without a new place have the breaks that they had. Where the rim cuts an arc its sides never agree, and ask for the same places again.
+            changed.clear();
+            for (feature, u) in new {
+                let hints = &mut hints[feature as usize];
+                if !hints.contains(&u) {
+                    hints.push(u);
+                    changed.push(feature as usize);
+                }
+            }
+            if changed.is_empty() || round == ROUNDS {
                 return Ok(found);
             }
-            for (feature, u) in new {
-                hints[feature as usize].push(u);
-            }
+            changed.sort_unstable();
+            changed.dedup();
         }
     }
 

@@ -3,6 +3,7 @@
 mod graph;
 mod points;
 mod refusals;
+mod surface;
 
 use crate::Place;
 use medax::complex::{Complex, Element, Values};
@@ -24,10 +25,6 @@ impl Place {
     fn figure(&self, name: &str, features: &[Value]) {
         let collection = json!({ "type": "FeatureCollection", "features": features });
         self.write(name, collection.to_string());
-    }
-
-    fn complex(&self, name: &str) -> Complex {
-        io::read_complex(self.path(name), &Job::default()).unwrap()
     }
 
     /// The figure that a result in GeoJSON is when it is read back.
@@ -62,7 +59,7 @@ fn reals(complex: &Complex, name: &str) -> Vec<f64> {
 }
 
 /// A box of sides 2, 1.5 and 1 from the origin, without its last faces.
-fn open_box(left_out: usize, more: &str) -> String {
+pub fn open_box(left_out: usize, more: &str) -> String {
     let faces = ["0 3 2 1", "0 1 5 4", "1 2 6 5", "2 3 7 6", "3 0 4 7", "4 5 6 7"];
     let corners = [[0, 0], [1, 0], [1, 1], [0, 1]];
     let corner = |z: f64| {
@@ -91,6 +88,7 @@ fn the_number_of_threads_changes_no_byte() {
         "field comb.geojson --side both -o out.geojson",
         "field comb.geojson --points --density 0.5 -o out.ply",
         "field box.off --density 0.1 -o out.ply",
+        "field box.off --points --density 0.1 -o out.ply",
     ] {
         let name = command.rsplit(' ').next().unwrap();
         let written = [1, 3, 8].map(|threads| {

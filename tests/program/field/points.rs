@@ -62,8 +62,9 @@ fn points_of_a_figure_come_with_their_claim() {
 fn points_of_a_mesh_lie_between_its_faces() {
     let place = Place::new();
     place.write("box.off", open_box(0, ""));
-    let report = place
-        .json("field box.off --density 0.1 --object-degrees 80 --min-distance 0.1 -o axis.ply");
+    let report = place.json(
+        "field box.off --points --density 0.1 --object-degrees 80 --min-distance 0.1 -o axis.ply",
+    );
     assert_eq!(report["warnings"], json!([]));
     assert_eq!((&report["claim"], &report["parameters"]["what"]), (&Value::Null, &json!("points")));
     assert_eq!(report["parameters"]["missed_degrees"], Value::Null);
@@ -82,28 +83,28 @@ fn points_of_a_mesh_lie_between_its_faces() {
     // The rectangle in the middle is 1 wide and 0.5 deep.
     let middle = axis.vertices().iter().filter(|p| (p[2] - 0.5).abs() < 1e-5).count();
     assert!(middle > 20, "{middle}");
-    let plain = place.run("field box.off --density 0.2");
+    let plain = place.run("field box.off --points --density 0.2");
     assert!(text(&plain.stdout).contains("in space no theorem"), "{}", text(&plain.stdout));
 
     // A vertex that nothing uses is nothing to measure to.
     place.write("stray.off", open_box(0, "1 0.75 0.5\n"));
-    let stray = "field stray.off --density 0.1 --object-degrees 80 --min-distance 0.1 -o stray.ply";
+    let stray = "field stray.off --points --density 0.1 --object-degrees 80 --min-distance 0.1 -o stray.ply";
     assert_eq!(place.json(stray)["input"]["unused"], 1);
     assert_eq!(place.read("stray.ply"), place.read("axis.ply"));
 
     // Convex from outside: there is nothing, and that is said.
-    let outer = place.json("field box.off --density 0.2 --side outer");
+    let outer = place.json("field box.off --points --density 0.2 --side outer");
     assert_eq!(outer["counts"]["vertices"], 0);
     assert!(outer["warnings"][0].as_str().unwrap().contains("empty"), "{outer}");
     // Without a lid, inside is where the faces wind round a point.
     place.write("open.off", open_box(1, ""));
-    let open = place.json("field open.off --density 0.2 --side both");
+    let open = place.json("field open.off --points --density 0.2 --side both");
     assert!(open["counts"]["vertices"].as_u64() > Some(20));
     assert_eq!(open["warnings"], json!([]));
-    let inner = place.json("field open.off --density 0.2");
+    let inner = place.json("field open.off --points --density 0.2");
     assert!(inner["warnings"][0].as_str().unwrap().contains("wind"), "{inner}");
     // Points alone have their Voronoi diagram, all of it outside.
     place.write("points.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
-    let points = place.json("field points.xyz --side outer --density 0.2");
+    let points = place.json("field points.xyz --points --side outer --density 0.2");
     assert!(points["counts"]["vertices"].as_u64() > Some(20));
 }

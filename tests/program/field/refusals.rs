@@ -28,9 +28,13 @@ fn what_makes_no_sense_is_refused() {
         "field in.geojson --points --missed-degrees 0",
         "field in.geojson --points --samples 11",
         "field in.geojson --points --epsilon -1",
-        "field in.geojson --points --between-sites",
+        "field in.geojson --pairs 0",
+        "field in.geojson --pairs 0-1-2",
+        "field in.geojson --pairs 0--1",
+        "field in.geojson --pairs 0-1",
+        "field in.geojson --points --pairs 0-0,0-1",
+        "field box.off --pairs 0-0,1-0",
         "field box.off --missed-degrees 20",
-        "field box.off --between-sites",
         "field box.off --feature box",
         "field box.off --feature-number 0",
         "field box.off --crossings",
@@ -40,6 +44,8 @@ fn what_makes_no_sense_is_refused() {
     ] {
         assert_eq!(place.failure(arguments, 2)["status"], "INVALID_ARGUMENT", "{arguments}");
     }
+    let error = place.failure("field box.off --pairs 0-0,1-0", 2);
+    assert_eq!((&error["kind"], &error["index"]), (&json!("row"), &1.into()));
     let error = place.failure("field in.geojson --epsilon 1", 2);
     assert!(error["message"].as_str().unwrap().contains("--points"), "{error}");
     for (arguments, path) in [
