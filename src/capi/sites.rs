@@ -214,6 +214,39 @@ pub unsafe extern "C" fn medax_sites_of_complex(
     })
 }
 
+/// The pieces of a mesh or polygon soup as #medax_sites_of_complex has them, each connected component a site: what faces and edges join by
+/// common vertices, whose coordinates count for nothing. Both shells of a hollow solid are sites.
+///
+/// \param complex The complex, which the sites keep alive.
+/// \param is_closed In the plane `flag_count` flags, one for each piece, as for #medax_sites_create; NULL only if `flag_count` is 0.
+///        Copied.
+/// \param flag_count The number of flags; 0 for none.
+/// \param job NULL for a default job.
+/// \param out_sites Receives the sites, numbered by their least vertices, which the caller frees with #medax_sites_free.
+/// \return As #medax_sites_of_complex.
+///
+/// O(n log n). Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_sites_of_components(
+    complex: *const medax_complex,
+    is_closed: *const u8,
+    flag_count: usize,
+    job: *const medax_job,
+    out_sites: *mut *const medax_sites,
+) -> medax_status {
+    boundary::status(|| {
+        let complex = &handle::get(complex, "complex")?.complex;
+        let flags = view::slice(is_closed, flag_count, "is_closed")?;
+        let out = Out::new(out_sites, "out_sites")?;
+        let mut own = None;
+        let sites = handle::job(job, &mut own).run(&[(Stage::Order, 1.0)], |run| {
+            closed(Sites::of_components_in(complex, run)?, flags, &mut Room::new(run), run)
+        })?;
+        out.put(give(sites));
+        Ok(())
+    })
+}
+
 /// The dimension of sites.
 ///
 /// \param sites The sites; NULL has 0.

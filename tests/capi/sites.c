@@ -142,6 +142,18 @@ static void complexes(void) {
     CHECK_STATUS(OUT_OF_MEMORY, medax_sites_of_complex(complex, NULL, 0, small, &sites));
     medax_job_free(small);
     CHECK(sites == UNTOUCHED);
+    CHECK_STATUS(INVALID_ARGUMENT, medax_sites_of_components(complex, flags, 4, NULL, &sites));
+    CHECK_STATUS(NULL_ARGUMENT, medax_sites_of_components(NULL, NULL, 0, NULL, &sites));
+    CHECK_STATUS(NULL_ARGUMENT, medax_sites_of_components(complex, NULL, 0, NULL, NULL));
+    CHECK(sites == UNTOUCHED);
+    CHECK_STATUS(OK, medax_sites_of_components(complex, NULL, 0, NULL, &sites));
+    /* The faces, the edge, the vertex. */
+    NEED(medax_sites_piece_count(sites) == 6);
+    static const uint32_t components[6] = {0, 0, 0, 0, 1, 2};
+    CHECK(medax_sites_site_count(sites) == 3);
+    CHECK(memcmp(medax_sites_site_of_piece(sites).data, components, sizeof components) == 0);
+    medax_sites_free(sites);
+    sites = UNTOUCHED;
     CHECK_STATUS(OK, medax_sites_of_complex(complex, NULL, 0, NULL, &sites));
     /* The sites keep the mesh alive, whose faces wind round what is inside. */
     medax_complex_free(complex);

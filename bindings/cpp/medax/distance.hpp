@@ -120,6 +120,15 @@ public:
                                          job.get(), &sites));
         return Sites(sites);
     }
+    /// The same, a site for each connected component.
+    static Sites of_components(const Complex &complex,
+                               const std::vector<std::uint8_t> &is_closed = {},
+                               const Job &job = Job::fresh()) {
+        const medax_sites *sites = nullptr;
+        job.check(medax_sites_of_components(complex.get(), is_closed.data(), is_closed.size(),
+                                            job.get(), &sites));
+        return Sites(sites);
+    }
 
     /// 2 or 3.
     std::uint32_t dimension() const noexcept { return medax_sites_dimension(get()); }
