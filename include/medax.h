@@ -5467,6 +5467,27 @@ medax_status medax_sites_of_complex(const medax_complex *complex,
                                     const medax_sites **out_sites);
 
 /**
+ * The pieces of a mesh or polygon soup as #medax_sites_of_complex has them, each connected component a site: what faces and edges join by
+ * common vertices, whose coordinates count for nothing. Both shells of a hollow solid are sites.
+ *
+ * \param complex The complex, which the sites keep alive.
+ * \param is_closed In the plane `flag_count` flags, one for each piece, as for #medax_sites_create; NULL only if `flag_count` is 0.
+ *        Copied.
+ * \param flag_count The number of flags; 0 for none.
+ * \param job NULL for a default job.
+ * \param out_sites Receives the sites, numbered by their least vertices, which the caller frees with #medax_sites_free.
+ * \return As #medax_sites_of_complex.
+ *
+ * O(n log n). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_sites_of_components(const medax_complex *complex,
+                                       const uint8_t *is_closed,
+                                       size_t flag_count,
+                                       const medax_job *job,
+                                       const medax_sites **out_sites);
+
+/**
  * The dimension of sites.
  *
  * \param sites The sites; NULL has 0.
