@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 
+import numpy
 import pyvista
 
 MODELS = [
@@ -26,16 +27,18 @@ def main():
     plotter = pyvista.Plotter(shape=(len(MODELS), 3), off_screen=True, window_size=(1200, 400 * len(MODELS)), border=False)
     with tempfile.TemporaryDirectory() as folder:
         for row, (name, view, up) in enumerate(MODELS):
-            axis, mesh, union = (f"{folder}/{part}.ply" for part in ("axis", "mesh", "union"))
+            axis, mesh, union = (f"{folder}/{part}" for part in ("axis.ma", "mesh.ply", "union.ply"))
             subprocess.run([medax, "decimate", data / name, "--ratio", "1", "-o", mesh, "--quiet"], check=True)
             subprocess.run([medax, "field", data / name, "--points", "-o", axis, "--quiet"], check=True)
             subprocess.run([medax, "union", axis, "-o", union, "--quiet"], check=True)
-            solid, points = pyvista.read(mesh), pyvista.read(axis)
+            solid = pyvista.read(mesh)
+            # Lines "v x y z r".
+            balls = numpy.array([line.split()[1:5] for line in open(axis) if line.startswith("v ")], dtype=float)
             for column in range(3):
                 plotter.subplot(row, column)
                 if column == 1:
                     plotter.add_mesh(solid, color="lightsteelblue", opacity=0.1)
-                    plotter.add_points(points.points, scalars=points["radius"], cmap="viridis", point_size=4, show_scalar_bar=False)
+                    plotter.add_points(balls[:, :3], scalars=balls[:, 3], cmap="viridis", point_size=4, show_scalar_bar=False)
                 else:
                     plotter.add_mesh(solid if column == 0 else pyvista.read(union), color="lightsteelblue")
                 plotter.view_vector(view, viewup=up)

@@ -74,8 +74,8 @@ def axes(medax, data, folder, add):
 
 def halving(medax, data, folder, add):
     add("## The cost of halving the density\n")
-    add("Points, spheres or circles looked at, and seconds. In space points are as many as the density's inverse square, and so are the spheres; in the plane as many as its inverse, and the circles hardly more than the boundary asks for.\n")
-    add("| input | density, of the diagonal | points | looked at | seconds | times the one before |")
+    add("Points, and seconds: in space points are as many as the density's inverse square, in the plane as its inverse; circles grow faster than that, since they go nearer to the boundary, up to a quarter of the density. *Kept* are the circles or spheres that the result knows of: in the plane all, in space those with a point.\n")
+    add("| input | density, of the diagonal | points | kept | seconds | times the one before |")
     add("| --- | --: | --: | --: | --: | --: |")
     for name, options, shares in [("fandisk.off", [], [0.04, 0.02, 0.01, 0.005]), ("letters.geojson", ["--feature", "B"], [0.02, 0.01, 0.005, 0.0025])]:
         last = None
