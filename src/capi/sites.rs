@@ -11,6 +11,7 @@ use super::handle::{self, medax_complex, medax_figure, medax_job, medax_sites};
 use super::options::flag;
 use super::status::medax_status;
 use super::view::{self, Buffer, Out, medax_view_u32};
+use crate::complex::Complex;
 use crate::distance::{Piece, Sites};
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::job::{Room, Run, Stage};
@@ -201,17 +202,7 @@ pub unsafe extern "C" fn medax_sites_of_complex(
     job: *const medax_job,
     out_sites: *mut *const medax_sites,
 ) -> medax_status {
-    boundary::status(|| {
-        let complex = &handle::get(complex, "complex")?.complex;
-        let flags = view::slice(is_closed, flag_count, "is_closed")?;
-        let out = Out::new(out_sites, "out_sites")?;
-        let mut own = None;
-        let sites = handle::job(job, &mut own).run(&[(Stage::Order, 1.0)], |run| {
-            closed(Sites::of_complex_in(complex, run)?, flags, &mut Room::new(run), run)
-        })?;
-        out.put(give(sites));
-        Ok(())
-    })
+    of_mesh(complex, is_closed, flag_count, job, out_sites, Sites::of_complex_in)
 }
 
 /// The pieces of a mesh or polygon soup as #medax_sites_of_complex has them, each connected component a site: what faces and edges join by
@@ -234,13 +225,24 @@ pub unsafe extern "C" fn medax_sites_of_components(
     job: *const medax_job,
     out_sites: *mut *const medax_sites,
 ) -> medax_status {
+    of_mesh(complex, is_closed, flag_count, job, out_sites, Sites::of_components_in)
+}
+
+unsafe fn of_mesh(
+    complex: *const medax_complex,
+    is_closed: *const u8,
+    flag_count: usize,
+    job: *const medax_job,
+    out_sites: *mut *const medax_sites,
+    made_of: fn(&Arc<Complex>, &Run<'_>) -> Result<Sites>,
+) -> medax_status {
     boundary::status(|| {
         let complex = &handle::get(complex, "complex")?.complex;
         let flags = view::slice(is_closed, flag_count, "is_closed")?;
         let out = Out::new(out_sites, "out_sites")?;
         let mut own = None;
         let sites = handle::job(job, &mut own).run(&[(Stage::Order, 1.0)], |run| {
-            closed(Sites::of_components_in(complex, run)?, flags, &mut Room::new(run), run)
+            closed(made_of(complex, run)?, flags, &mut Room::new(run), run)
         })?;
         out.put(give(sites));
         Ok(())
