@@ -4,6 +4,7 @@
 mod arcs;
 mod balls;
 mod bound;
+mod boxes;
 mod closest;
 mod crossing;
 mod decide;
