@@ -84,7 +84,7 @@ def halving(medax, data, folder, add):
             report = run(medax, "field", data / name, *options, "--points", "--density", share * size)
             now = seconds(report)
             ratio = "" if last is None else f"{now / last:.1f}"
-            add(f"| {pathlib.Path(name).stem} {' '.join(options[1:])} | {share} | {report['counts']['vertices']:,} | {report['field']['looked_at']:,} | {now:.2f} | {ratio} |")
+            add(f"| {pathlib.Path(name).stem} {' '.join(options[1:])} | {share} | {report['counts']['vertices']:,} | {report['field']['covers']:,} | {now:.2f} | {ratio} |")
             last = now
     add("")
 

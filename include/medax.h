@@ -6214,7 +6214,7 @@ MEDAX_API medax_view_u32 medax_field_axis_sites_of_points(const medax_field_axis
 MEDAX_API medax_view_u32 medax_field_axis_cover_of_point(const medax_field_axis *axis);
 
 /**
- * The number of circles or spheres that were looked at in the end.
+ * The number of covers: in the plane of all circles that were looked at in the end, in space of the spheres that gave a point.
  *
  * \param axis The field axis; NULL has none.
  * \return The number of covers.

@@ -361,7 +361,7 @@ impl From<Cover> for medax_cover {
     }
 }
 
-/// The number of circles or spheres that were looked at in the end.
+/// The number of covers: in the plane of all circles that were looked at in the end, in space of the spheres that gave a point.
 ///
 /// \param axis The field axis; NULL has none.
 /// \return The number of covers.

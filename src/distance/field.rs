@@ -159,7 +159,7 @@ impl FieldAxis {
         &self.cover_of_point
     }
 
-    /// The circles or spheres that were looked at in the end.
+    /// In the plane all circles that were looked at in the end; in space the spheres that gave a point.
     pub fn covers(&self) -> &[Cover] {
         &self.covers
     }

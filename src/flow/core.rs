@@ -108,7 +108,7 @@ impl Flow {
         let of_core = || self.simplices_of(options.side).filter(|&face| !is_open(face));
         let before = candidates.len();
         candidates.retain(|&facet| !is_open(Simplex::Edge(facet)));
-        self.retain_staying(&source, options.side, &mut candidates, &mut room, run)?;
+        self.retain_staying(&source, options.side, &mut candidates, run)?;
         excluded.leaving = before - candidates.len();
         let flowing = || of_core().chain(candidates.iter().map(|&facet| Simplex::Edge(facet)));
         let rest = match &inner {

@@ -47,7 +47,7 @@ pub(super) struct Hit {
 /// Every Voronoi vertex of the set whose driver is the middle of an edge flows into that edge's facet, and every point where a facet's flow leaves through
 /// the Voronoi edge of an obtuse triangle flows on into the facet of its longest edge: so the orbits of Voronoi vertices run through facets until they come to
 /// a Voronoi edge that they follow, or to infinity. Since the longest edge of a triangle is longer than the others, facets can be
-/// cut one after the other.
+/// cut one after the other. Facets that stay whole are not cut: what enters them ends there.
 ///
 /// Which side a cut from a Voronoi vertex hits is decided exactly. Farther cuts begin at rounded points, and their sides are found
 /// in rounded arithmetic; but in each facet cuts leave in the order in which they enter, whatever is rounded: no two of them cross.

@@ -22,9 +22,11 @@ impl Flow {
         source: &Source<'_>,
         side: Side,
         facets: &mut Vec<u32>,
-        room: &mut Room<'_>,
         run: &Run<'_>,
     ) -> Result<()> {
+        // Nothing of it is kept.
+        let mut room = Room::new(run);
+        let room = &mut room;
         let others = || {
             let critical = self.critical.simplices().iter().zip(self.critical.classes());
             critical.filter(|(_, class)| !class.is_on(side)).map(|(&simplex, _)| simplex)

@@ -20,7 +20,7 @@ use std::ops::Range;
 /// Every face flows into whole faces (Giesen, Ramos, Sadri, section 5): a vertex into the edge `edge_of_vertex`, and so to that edge's other end; the part of
 /// a Voronoi edge of an obtuse triangle into the face `face_of_edge`; every other edge along itself, and every face to its rim. So what is flowed
 /// into is a closed set: with an element its sides, and what these flow into. Of a part of the diagram that holds for what the faces flow into from which the part
-/// was found ([`VoronoiSet::touched`]). The subdivision is finer than the paper's: it is cut along the orbits of all
+/// was found ([`VoronoiSet::touched`]); vertices whose cuts would cross a facet that stays whole flow into no edge, but lie on the rim of that facet, which is flowed into with all its rim. The subdivision is finer than the paper's: it is cut along the orbits of all
 /// Voronoi vertices, also where both sides of a cut are in the unstable manifolds of the same critical points.
 ///
 /// Invariants: row i of `rim_vertices` has the vertices of face i counterclockwise, as its facet, and row i of `rim_edges` the edge that begins at each; [`NONE`] stands for

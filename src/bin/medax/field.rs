@@ -342,7 +342,7 @@ impl Options {
             "sites": sites.site_count(),
             "pieces": sites.pieces().len(),
             "points": axis.points().len(),
-            "looked_at": axis.covers().len(),
+            "covers": axis.covers().len(),
             "unconfirmed": axis.unconfirmed(),
         });
         report.more.insert("field".into(), field);

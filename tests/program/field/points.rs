@@ -14,7 +14,7 @@ fn points_of_a_figure_come_with_their_claim() {
     let missed = number(&claim["missed_degrees"]);
     assert!(missed > 0.0 && missed <= 15.0, "{claim}");
     assert_eq!(claim["circles_without_claim"].as_u64(), Some(0), "{claim}");
-    assert_eq!(claim["circles"], report["field"]["looked_at"]);
+    assert_eq!(claim["circles"], report["field"]["covers"]);
     assert_eq!(report["field"]["points"], report["counts"]["vertices"]);
     let parameters = &report["parameters"];
     assert_eq!(
