@@ -6221,7 +6221,8 @@ MEDAX_API medax_view_u32 medax_field_axis_cover_of_point(const medax_field_axis 
  *
  * Constant time. Since 0.1.
  */
-MEDAX_API size_t medax_field_axis_cover_count(const medax_field_axis *axis);
+MEDAX_API
+size_t medax_field_axis_cover_count(const medax_field_axis *axis);
 
 /**
  * Some of these circles or spheres.
