@@ -133,7 +133,8 @@ pub unsafe extern "C" fn medax_field_axis_options_init(
 /// \param job NULL for a default job.
 /// \param out_axis Receives the points, which the caller frees with #medax_field_axis_free.
 /// \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for options out of range, and without a box for sites that are all rays and lines;
-///         `LIMIT_EXCEEDED` where the density or the least distance ask for more than 2^28 circles or spheres; `NULL_ARGUMENT`,
+///         `LIMIT_EXCEEDED` for a density of less than 2^-20 of the box, and where the density or the least
+///         distance ask for more than 2^28 circles or spheres; `NULL_ARGUMENT`,
 ///         `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
 ///
 /// In the plane O(length / least distance + area / density^2) circles, in space O(area / density^2) spheres, each some queries for each

@@ -90,7 +90,7 @@ pub struct FieldAxis {
 impl FieldAxis {
     /// Finds points of the medial axis: the paper's APPROXMA2D in the plane, APPROXMA3D in space.
     ///
-    /// Errors: [`Status::InvalidArgument`] for options out of range; [`Status::LimitExceeded`] where the density or the least distance ask for more than 2^28 circles or spheres; those of
+    /// Errors: [`Status::InvalidArgument`] for options out of range; [`Status::LimitExceeded`] for a density of less than 2^-20 of the box, and where the density or the least distance ask for more than 2^28 circles or spheres; those of
     /// the job. Cost: in the plane O(length / `min_distance` + area / density^2) circles; in space O(area / density^2) spheres; each some queries for each sample.
     pub fn new(sites: &Arc<Sites>, options: FieldOptions, job: &Job) -> Result<Self> {
         job.run(&[(Stage::Field, 1.0)], |run| FieldAxis::new_in(sites, options, run))

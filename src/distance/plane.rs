@@ -19,6 +19,8 @@ const BATCH: usize = 64;
 const REFINED: u32 = 4;
 /// The most squares at once.
 const LIMIT: usize = 1 << 28;
+/// The least density, beside the box.
+const FINEST: f64 = 1.0 / (1 << 20) as f64;
 
 /// A square that is still to be looked at.
 #[derive(Clone, Copy, Debug)]
@@ -60,6 +62,7 @@ pub(super) fn axis(
         covers: Vec::new(),
         unconfirmed: 0,
     };
+    plane.check_density()?;
     let mut squares = plane.whole();
     while !squares.is_empty() {
         let centers: Vec<Vec3> = squares.iter().map(|square| square.center).collect();
@@ -130,6 +133,19 @@ struct Plane<'a> {
 }
 
 impl Plane<'_> {
+    /// Errors: [`Status::LimitExceeded`] for a density that no one waits for.
+    fn check_density(&self) -> Result<()> {
+        let [min, max] = self.options.clip.unwrap_or_default();
+        let longest = (max[0] - min[0]).max(max[1] - min[1]);
+        match longest * FINEST > self.options.density {
+            false => Ok(()),
+            true => {
+                let message = "the density is less than 2^-20 of the box";
+                Err(Error::new(Status::LimitExceeded, message))
+            }
+        }
+    }
+
     /// The box to look at, as squares in a row.
     fn whole(&self) -> Vec<Square> {
         let Some([min, max]) = self.options.clip else { return Vec::new() };
@@ -168,10 +184,14 @@ impl Plane<'_> {
         let gap = 2.0 * turn * radius;
         // The least distance of a point that the claim is for.
         let least = (distance - reach).max(min_distance);
+        // Nearest points that are too near to each other to be told apart show no more than this angle. Where that is most of what is asked for, smaller circles are of no use.
+        let blind = 2.0 * libm::asin((0.5 * self.search.tolerance / least).min(1.0));
         let missed = largest_missed_angle(gap, radius, least);
+        let most = if 2.0 * blind <= bound { bound - blind } else { bound };
         let fits = distance >= radius + gap
             && 2.0 * radius <= density
-            && missed.is_some_and(|angle| angle <= bound);
+            && missed.is_some_and(|angle| angle <= most);
+        let missed = missed.map(|angle| angle + blind).filter(|&angle| angle <= bound);
         if !fits {
             return Fate::Divided(square);
         }
@@ -183,11 +203,13 @@ impl Plane<'_> {
         });
         let has_any = !found.is_empty();
         found.retain(|point| self.options.pass(point) && is_between(point));
-        if has_any && found.is_empty() && square.refined < REFINED {
+        // A test that shows something that is not found then tells nothing.
+        let is_open = !has_any && decision.unconfirmed > 0;
+        if (has_any || is_open) && found.is_empty() && square.refined < REFINED {
             return Fate::Divided(Square { refined: square.refined + 1, ..square });
         }
         let found = chosen(found, &square);
-        let missed_angle = match (has_any, found.is_empty()) {
+        let missed_angle = match (has_any || is_open, found.is_empty()) {
             (true, true) => PI,
             (true, false) => 0.0,
             (false, _) => missed.unwrap_or(PI),

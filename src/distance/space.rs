@@ -4,10 +4,11 @@ use super::decide::Ball;
 use super::field::{Cover, FieldAxis, FieldOptions};
 use super::locate::{MedialPoint, Search};
 use super::pairs::SitePairs;
+use super::piece::{Foot, Piece};
 use super::sites::Sites;
 use crate::error::{Error, Result, Status};
 use crate::job::{Room, Run};
-use crate::vector::{Vec3, sub};
+use crate::vector::{Vec3, add, cross, dot, length, scale, sub};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -88,8 +89,8 @@ impl Lattice {
 enum Fate {
     Nothing,
     Divided,
-    /// A point in the cube, or, if there is none, one of the sphere outside the cube.
-    Found(Cover, MedialPoint),
+    /// A point in the cube, or, if there is none, one of the sphere outside the cube; where the boundary enters the sphere, for either of its sides.
+    Found(Cover, [Option<MedialPoint>; 2]),
 }
 
 pub(super) fn axis(
@@ -132,9 +133,12 @@ pub(super) fn axis(
         let fates = cubes.iter().zip(fates.into_iter().flatten());
         if is_last {
             let found = fates.filter_map(|(&place, fate)| match fate {
-                Fate::Found(cover, point) => Some((place, cover, point)),
+                Fate::Found(cover, points) => {
+                    Some(points.map(|point| Some((place, cover, point?))))
+                }
                 _ => None,
             });
+            let found = found.flatten().flatten();
             return space.gathered(sites, &lattice, found.collect(), run);
         }
         let mut next = Vec::new();
@@ -164,7 +168,8 @@ impl Space<'_> {
     /// Drops a cube, has it divided, or finds a point in it.
     ///
     /// A sphere that the boundary enters tells nothing and is divided. Where it is small enough its points are followed away from their nearest points of the boundary all the same: the
-    /// balls that are found so are medial balls, whatever else is in the sphere, and its other side has its own.
+    /// balls that are found so are medial balls, whatever else is in the sphere. So are those that touch the boundary in it from the other side: what is thinner than the cubes are may
+    /// hold none of its points.
     fn fate(&self, lattice: &Lattice, place: [u32; 3], is_here: bool, is_last: bool) -> Fate {
         let center = lattice.middle(place);
         let half = 0.5 * lattice.side;
@@ -182,24 +187,65 @@ impl Space<'_> {
         }
         let in_cube = |p: Vec3| (0..3).all(|k| (p[k] - center[k]).abs() <= half);
         let rank = |p: &MedialPoint| (in_cube(p.center), p.object_angle);
-        let mut best: Option<MedialPoint> = None;
-        let mut fires = false;
-        self.search.examine(Ball { center, radius }, &self.directions, |_, point| {
-            fires = true;
+        let mut best: [Option<MedialPoint>; 2] = [None; 2];
+        let mut keep = |point: MedialPoint| {
             let is_kept = self.options.pass(&point) && self.pairs.holds(self.search.sites, &point);
+            let best = &mut best[usize::from(!is_free && self.is_behind(&point))];
             if is_kept && best.is_none_or(|best| rank(&point) > rank(&best)) {
-                best = Some(point);
+                *best = Some(point);
             }
+        };
+        let mut fires = false;
+        let ball = Ball { center, radius };
+        self.search.examine(ball, &self.directions, |_, point| {
+            fires = true;
+            keep(point);
             is_last
         });
-        match (is_last, best) {
-            (false, _) if fires => Fate::Divided,
-            (true, Some(point)) => {
+        if !is_free {
+            self.examine_thin(ball, &mut keep);
+        }
+        match is_last {
+            false if fires => Fate::Divided,
+            true if best != [None; 2] => {
                 let cover =
                     Cover { center, radius, half, gap: 0.0, distance, found: 1, missed_angle: PI };
-                Fate::Found(cover, point)
+                Fate::Found(cover, best)
             }
             _ => Fate::Nothing,
+        }
+    }
+
+    /// Visits medial balls, no larger than a ball, that touch the boundary in it from the other side than its points see.
+    fn examine_thin(&self, ball: Ball, visit: &mut impl FnMut(MedialPoint)) {
+        let on_sphere = self.directions.iter().map(|&d| add(ball.center, scale(d, ball.radius)));
+        let mut last: Option<Foot> = None;
+        for at in [ball.center].into_iter().chain(on_sphere) {
+            let foot = self.search.sites.foot(at);
+            let is_within = length(sub(foot.point, ball.center)) <= ball.radius;
+            let is_new = last.is_none_or(|last| !self.search.is_same(last.point, foot.point));
+            if !is_within || !is_new || foot.distance_squared == 0.0 {
+                continue;
+            }
+            last = Some(foot);
+            let way = scale(sub(foot.point, at), 1.0 / foot.distance_squared.sqrt());
+            let found = self.search.along(&foot, way, [0.0, 2.0 * ball.radius]);
+            // On an edge the ball that touches it from behind is nothing.
+            let is_of_ball = |point: &MedialPoint| {
+                let away = length(sub(point.center, ball.center));
+                point.radius > 4.0 * self.search.epsilon && away <= ball.radius
+            };
+            found.filter(is_of_ball).into_iter().for_each(&mut *visit);
+        }
+    }
+
+    /// Whether a ball lies behind the triangle that it touches first.
+    fn is_behind(&self, point: &MedialPoint) -> bool {
+        match self.search.sites.pieces()[point.pieces[0] as usize] {
+            Piece::Triangle([a, b, c]) => {
+                dot(cross(sub(b, a), sub(c, a)), sub(point.center, point.feet[0])) < 0.0
+            }
+            _ => false,
         }
     }
 

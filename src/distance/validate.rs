@@ -5,12 +5,13 @@ use super::bound::largest_missed_angle;
 use super::closest::Shape;
 use super::field::{Cover, FieldAxis};
 use super::locate::MedialPoint;
+use super::piece::Piece;
 use super::sites::Sites;
 use super::space::Lattice;
 use crate::error::{ElementKind, Result};
 use crate::job::{Job, Room, Run, Stage};
 use crate::validation::Validation;
-use crate::vector::{add, length, scale, sub};
+use crate::vector::{Vec3, add, length, scale, sub};
 use std::f64::consts::PI;
 
 /// How near the points of a graph are to the axis, as a share of the boundary's size.
@@ -96,9 +97,10 @@ impl FieldAxis {
             let least = (cover.distance - reach).max(self.options.min_distance);
             let bound = largest_missed_angle(gap, radius, least).unwrap_or(PI);
             let claim = cover.missed_angle;
+            let slack = ANGLE_EPSILON + 4.0 * blur(center) / least;
             // What was looked at are more points than were asked for: so the bound may be less than the claim.
             let right = match found {
-                0 => claim >= bound - ANGLE_EPSILON && (claim == PI || claim <= self.options.bound),
+                0 => claim >= bound - slack && (claim == PI || claim <= self.options.bound),
                 _ => claim == 0.0,
             };
             report.check(right, ElementKind::Cell, i, || {
@@ -164,7 +166,7 @@ impl MedialGraph {
             arc[usize::from(is_loop)..].iter().for_each(|&v| places[v as usize] += 1);
         }
         for (v, places) in (0..).zip(places) {
-            let right = if is_node(v) { places > 0 } else { places == 1 };
+            let right = if is_node(v) { places > 0 || self.is_disc(v) } else { places == 1 };
             report.check(right, ElementKind::Vertex, u64::from(v), || {
                 format!("it has {places} places on arcs")
             });
@@ -173,10 +175,23 @@ impl MedialGraph {
     }
 }
 
+impl MedialGraph {
+    /// Whether a node is the centre of a disc, which no arc comes to.
+    fn is_disc(&self, node: u32) -> bool {
+        let MedialPoint { center, pieces, .. } = self.points[node as usize];
+        let near = 1e-9 * self.sites.size();
+        pieces.iter().any(|&piece| match self.sites.pieces().get(piece as usize) {
+            Some(&Piece::Sphere(middle, _)) => length(sub(center, middle)) <= near,
+            _ => false,
+        })
+    }
+}
+
 impl Sites {
     /// Checks that a ball touches the boundary, and that this does not enter it.
     fn check_ball(&self, point: &MedialPoint, epsilon: f64, i: u64, report: &mut Validation) {
         let MedialPoint { center, radius, .. } = *point;
+        let epsilon = epsilon + blur(center);
         let mut nearest = f64::INFINITY;
         let far = radius + epsilon;
         let limit = far * far;
@@ -199,6 +214,7 @@ impl Sites {
         report: &mut Validation,
     ) -> bool {
         let MedialPoint { center, radius, feet, pieces, object_angle } = *point;
+        let epsilon = epsilon + blur(center);
         let are_there = pieces.iter().all(|&piece| (piece as usize) < self.pieces().len());
         report.check(are_there, ElementKind::Vertex, i, || "it names a piece that is not".into());
         if !are_there {
@@ -217,17 +233,23 @@ impl Sites {
         let [a, b] = feet.map(|foot| sub(foot, center));
         let (a, b) = (scale(a, length(b)), scale(b, length(a)));
         let angle = 2.0 * libm::atan2(length(sub(a, b)), length(add(a, b)));
-        report.check((angle - object_angle).abs() <= ANGLE_EPSILON, ElementKind::Vertex, i, || {
+        let slack = ANGLE_EPSILON + 4.0 * blur(center) / radius;
+        report.check((angle - object_angle).abs() <= slack, ElementKind::Vertex, i, || {
             format!("it sees its feet under {angle}, and not {object_angle}")
         });
         true
     }
 }
 
+/// What rounding may do to coordinates there.
+fn blur(p: Vec3) -> f64 {
+    4.0 * f64::EPSILON * p.into_iter().fold(0.0, |size, x| x.abs().max(size))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::distance::{FieldOptions, GraphOptions, Piece};
+    use crate::distance::{FieldOptions, GraphOptions};
     use crate::medial::Side;
     use std::sync::Arc;
 

@@ -231,6 +231,18 @@ fn balls_that_touch_or_meet_in_one_circle_are_closed() {
     assert!(highest > 1.04 && topology(&boundary).betti == [1, 0, 1]);
 }
 
+/// Places on a sphere by latitude and longitude: the poles, and what lies on the seam, are there again but for rounding.
+#[test]
+fn balls_that_are_the_same_but_for_rounding_are_no_trouble() {
+    let mut centers = Vec::new();
+    for (i, j) in (0..13 * 8).map(|i| (i / 8, i % 8)) {
+        let (a, b) = (TAU * f64::from(i) / 12.0, PI * f64::from(j) / 7.0);
+        centers.push([a.cos() * b.sin(), a.sin() * b.sin(), b.cos()]);
+    }
+    let radii = vec![0.45; centers.len()];
+    assert_eq!(topology(&checked(&balls(centers, radii), 0.05)).betti, [2, 0, 2]);
+}
+
 #[test]
 fn random_sets_are_covered_to_the_spacing() {
     for (count, seed) in [(3, 4), (30, 5), (300, 6)] {

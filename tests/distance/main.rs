@@ -1,6 +1,7 @@
 //! Distances to sites, and the medial axes read off them.
 
 mod balls;
+mod crowd;
 mod exact;
 mod figures;
 mod graph;

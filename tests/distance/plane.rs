@@ -127,6 +127,37 @@ fn a_figure_shifted_and_turned_has_the_same_axis() {
     }
 }
 
+/// Where the feet of a medial point are within the tolerance, nothing shows it: so nothing is claimed.
+#[test]
+fn what_the_tolerance_hides_is_not_claimed() {
+    let sites = closed(rings(&[rectangle(100.0, 10.0)]));
+    for tolerance in [0.0, 0.1, 1.0, 4.0, 11.0] {
+        let mut options = FieldOptions { density: 1.0, ..FieldOptions::default() };
+        options.decide.tolerance = tolerance;
+        let axis = axis(&sites, options);
+        let all: Vec<Point> = (0..=90).map(|i| [5.0 + f64::from(i), 5.0, 0.0]).collect();
+        for p in all {
+            let is_found = axis.points().iter().any(|q| distance(p, q.center) <= 2.0);
+            // Its object angle is pi.
+            let holds = |cover: &&Cover| distance(p, cover.center) <= cover.radius;
+            let claims = |cover: &Cover| cover.found == 0 && cover.missed_angle < PI;
+            let mut covers = axis.covers().iter().filter(holds);
+            assert!(is_found || !covers.any(claims), "{tolerance} {p:?}");
+        }
+    }
+}
+
+/// Feet, radii and angles are rounded as coordinates are: [`FieldAxis::validate`] knows.
+#[test]
+fn far_from_the_origin_an_axis_is_valid() {
+    let moved = |ring: Vec<[f64; 2]>| ring.iter().map(|p| [p[0] + 1e6, p[1] - 3e6]).collect();
+    let mut random = Random(23);
+    let sites = closed(rings(&[moved(star(&mut random, 12))]));
+    let axis = axis(&sites, FieldOptions { density: 0.1, ..FieldOptions::default() });
+    let report = axis.validate(&Job::default()).unwrap();
+    assert!(report.is_valid() && axis.points().len() > 10, "{report:?}");
+}
+
 #[test]
 fn the_bytes_are_the_same_whatever_the_threads() {
     let (_, sites) = figures().pop().unwrap();

@@ -62,6 +62,24 @@ fn the_axis_of_a_box_is_found_nearly_whole() {
     assert!(axis.points().len() < 3 * cubes.len());
 }
 
+/// The middle of a plate, wherever the lattice lies, however thin it is.
+#[test]
+fn what_is_thinner_than_the_cubes_is_not_skipped() {
+    for thickness in [0.1, 0.03, 0.01, 0.003, 0.001, 1e-4] {
+        for density in [0.1, 0.07, 0.05] {
+            let sites = cuboid([1.0, 1.0, thickness]);
+            let options = FieldOptions { density, angle: 2.0, ..FieldOptions::default() };
+            let axis = axis(&sites, options);
+            check_sound(&axis);
+            let steps = move || (0..=20).map(|i| 0.1 + 0.04 * f64::from(i));
+            let middle: Vec<Point> =
+                steps().flat_map(|x| steps().map(move |y| [x, y, 0.5 * thickness])).collect();
+            let found = recall(&axis, &middle, 1.5 * density);
+            assert_eq!(found, 1.0, "{thickness} {density}");
+        }
+    }
+}
+
 #[test]
 fn the_outside_of_points_lines_and_spheres_is_between_them() {
     let clip = Some([[-2.0; 3], [2.0; 3]]);

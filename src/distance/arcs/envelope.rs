@@ -7,7 +7,7 @@ use crate::distance::piece::Foot;
 use crate::error::Result;
 use crate::job::Run;
 use crate::points::Bounds;
-use crate::vector::{Vec3, add, scale};
+use crate::vector::{Vec3, add, length, scale, sub};
 
 /// The features that one thread follows between two reports.
 const BATCH: usize = 32;
@@ -40,6 +40,7 @@ pub(super) struct Envelope<'a> {
     pub search: Search<'a>,
     pub walks: &'a Walks,
     pub rim: Bounds,
+    pub run: &'a Run<'a>,
 }
 
 impl Envelope<'_> {
@@ -53,8 +54,7 @@ impl Envelope<'_> {
         if !self.is_in(point.center) {
             return None;
         }
-        let opposite =
-            self.walks.find(self.search.sites, point.feet[1], point.pieces[1], point.center)?;
+        let opposite = self.walks.find(point.feet[1], point.pieces[1], point.center)?;
         Some(Touch { point, opposite })
     }
 
@@ -69,19 +69,18 @@ impl Envelope<'_> {
         features: &[usize],
         hints: &[Vec<f64>],
         breaks: &mut [Vec<Break>],
-        run: &Run<'_>,
     ) -> Result<()> {
-        let found = run.in_steps(features.chunks(BATCH).collect(), [0.0, 0.4], |features| {
-            run.poll()?;
-            Ok(features.iter().map(|&f| self.breaks_of(f, &hints[f])).collect::<Vec<_>>())
-        })?;
+        let found =
+            self.run.in_steps(features.chunks(BATCH).collect(), [0.0, 0.4], |features| {
+                features.iter().map(|&f| self.breaks_of(f, &hints[f])).collect::<Result<Vec<_>>>()
+            })?;
         for (&feature, found) in features.iter().zip(found.into_iter().flatten()) {
             breaks[feature] = found;
         }
         Ok(())
     }
 
-    fn breaks_of(&self, feature: usize, hints: &[f64]) -> Vec<Break> {
+    fn breaks_of(&self, feature: usize, hints: &[f64]) -> Result<Vec<Break>> {
         let mut places: Vec<f64> = hints.iter().copied().filter(|&u| u > 0.0 && u < 1.0).collect();
         places.push(0.5);
         places.sort_by(f64::total_cmp);
@@ -90,11 +89,20 @@ impl Envelope<'_> {
         let mut last = (0.0, self.at_begin(feature));
         for u in places {
             let next = (u, self.touch(feature, u).map(|touch| touch.opposite));
-            self.divide(feature, last, next, [0, 0], &mut breaks);
+            self.divide(feature, last, next, [0, 0], &mut breaks)?;
             last = next;
         }
-        self.divide(feature, last, (1.0, self.at_end(feature)), [0, 0], &mut breaks);
-        breaks
+        let end = self.at_end(feature);
+        self.divide(feature, last, (1.0, end), [0, 0], &mut breaks)?;
+        // A change just where the next feature begins shows in neither, if rounding gives either what it had.
+        if let (false, Some(end)) = (self.walks.is_corner[feature], end)
+            && let Some(begin) = self.at_begin(self.walks.after(feature))
+            && !self.is_smooth(begin, end)
+            && !self.is_one_place(begin, end)
+        {
+            breaks.extend(self.break_at(feature, 1.0));
+        }
+        Ok(breaks)
     }
 
     /// What is opposite where a feature begins: in a corner the side that ends there.
@@ -121,16 +129,18 @@ impl Envelope<'_> {
         high: (f64, Option<(u32, f64)>),
         [depth, blind]: [usize; 2],
         breaks: &mut Vec<Break>,
-    ) {
+    ) -> Result<()> {
+        self.run.poll()?;
         let ((u, before), (v, after)) = (low, high);
         let between = match (before, after) {
-            (None, None) if blind >= BLIND => return,
+            (None, None) if blind >= BLIND => return Ok(()),
             (None, None) | (None, Some(_)) | (Some(_), None) => None,
-            (Some(a), Some(b)) if self.is_smooth(b, a) => return,
+            (Some(a), Some(b)) if self.is_smooth(b, a) => return Ok(()),
             (Some(a), Some(b)) => self.meeting(feature, [u, v], [a.0, b.0]),
         };
         if v - u <= SHORT || depth >= DEPTH {
-            return breaks.extend(self.break_at(feature, 0.5 * (u + v)));
+            breaks.extend(self.break_at(feature, 0.5 * (u + v)));
+            return Ok(());
         }
         let mut middle = 0.5 * (u + v);
         let mut touch = None;
@@ -141,7 +151,7 @@ impl Envelope<'_> {
                 && [before, after].iter().all(|&other| self.touches(&point, other))
             {
                 breaks.push(Break { u: meeting, center: point.center, radius: point.radius });
-                return;
+                return Ok(());
             }
             // Something else is in between, unless only the lines that bear both meet here.
             let is_new = |touch: &Touch| {
@@ -153,8 +163,8 @@ impl Envelope<'_> {
         }
         let opposite = touch.or_else(|| self.touch(feature, middle)).map(|touch| touch.opposite);
         let blind = blind + usize::from(opposite.is_none());
-        self.divide(feature, low, (middle, opposite), [depth + 1, blind], breaks);
-        self.divide(feature, (middle, opposite), high, [depth + 1, blind], breaks);
+        self.divide(feature, low, (middle, opposite), [depth + 1, blind], breaks)?;
+        self.divide(feature, (middle, opposite), high, [depth + 1, blind], breaks)
     }
 
     /// Whether a ball touches a feature itself, and not only the line that bears it.
@@ -187,6 +197,12 @@ impl Envelope<'_> {
             feature = self.walks.after(feature);
         }
         false
+    }
+
+    /// Whether two places of features are one but for rounding.
+    fn is_one_place(&self, a: (u32, f64), b: (u32, f64)) -> bool {
+        let [p, q] = [a, b].map(|(feature, u)| self.walks.features[feature as usize].place(u).at);
+        length(sub(p, q)) <= 1e-9 * self.search.sites.size()
     }
 
     /// Where a ball that touches a feature touches two others, and its radius.

@@ -4,8 +4,8 @@ use crate::distance::closest::on_segment;
 use crate::vector::{Vec3, add, cross, dot, length, scale, sub};
 use std::f64::consts::TAU;
 
-/// More than angles err.
-const ROUNDING: f64 = 1e-9;
+/// More than angles err: so little beside a tangent, a point is as far from its end as from the rest, but for rounding.
+const ROUNDING: f64 = 1e-7;
 
 /// A part of a boundary as seen from the region on its left, with a place on it for each number from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,7 @@
 //! Arcs as polylines.
 
 use super::envelope::Envelope;
+use super::frame::Frame;
 use super::sides::{ArcSide, Node, Position};
 use super::walk::Walks;
 use crate::complex::{Attribute, Complex, ComplexParts, Element, Values};
@@ -57,7 +58,7 @@ impl Default for GraphOptions {
 /// The medial axis of a boundary in the plane: nodes, where arcs meet or end, and arcs.
 ///
 /// Without thresholds it is a deformation retract of the region, and has its Betti numbers. Invariants: `arcs` has for each arc its points in order, at least two; nodes, whose numbers are below that of the
-/// nodes, are ends of arcs and lie within none; other points lie on one arc, once, but for those of which a loop without nodes begins and ends; every point is the centre of a ball that the boundary does
+/// nodes, are ends of arcs and lie within none, and one without arcs is the centre of a disc; other points lie on one arc, once, but for those of which a loop without nodes begins and ends; every point is the centre of a ball that the boundary does
 /// not enter.
 #[derive(Clone, Debug)]
 pub struct MedialGraph {
@@ -69,7 +70,7 @@ pub struct MedialGraph {
 }
 
 impl MedialGraph {
-    /// Follows the axis of segments, points and circles in the plane. Segments must meet in common ends only, and touch no circle: those of a [`Figure`](crate::figure::Figure) do.
+    /// Follows the axis of segments, points and circles in the plane. Segments must meet in common ends only, and touch no circle: those of a [`Figure`](crate::figure::Figure) do. Points may lie anywhere.
     ///
     /// Errors: [`Status::InvalidArgument`] in space and for options out of range; [`Status::Unsupported`] with its row for a line or a ray; those of the job. Cost: O((n + size) log n).
     pub fn new(sites: &Arc<Sites>, options: GraphOptions, job: &Job) -> Result<Self> {
@@ -110,14 +111,16 @@ impl MedialGraph {
         pairs: SitePairs,
         run: &Run<'_>,
     ) -> Result<Self> {
-        run.enter(Stage::Field)?;
         let (spacing, rim) = options.resolved(sites)?;
+        let frame = Frame::new(sites, run)?;
+        let (given, sites, rim) = (sites, &frame.sites, frame.inward(rim));
+        run.enter(Stage::Field)?;
         let mut room = Room::new(run);
         let walks = Walks::new(sites, &mut room, run)?;
         let size = sites.size();
         let exact = DecideOptions { tolerance: 1e-13 * size, epsilon: 1e-15 * size };
-        let envelope = Envelope { search: sites.search(exact)?, walks: &walks, rim };
-        let found = envelope.arc_sides(1e-9 * size, &mut room, run)?;
+        let envelope = Envelope { search: sites.search(exact)?, walks: &walks, rim, run };
+        let found = envelope.arc_sides(1e-9 * size, &mut room)?;
         let maker = Maker { envelope, options, pairs, spacing, nodes: &found.nodes, sites };
         let chosen = maker.on_side((0..).zip(&found.sides).collect(), run)?;
         let torn = chosen.iter().filter(|(_, side)| !side.agrees).count();
@@ -127,9 +130,12 @@ impl MedialGraph {
             chosen.into_iter().filter(is_first).map(|(_, side)| side).collect();
         let lines = run.in_steps(chosen.chunks(16).collect(), [0.5, 1.0], |sides| {
             run.poll()?;
-            Ok(sides.iter().flat_map(|side| maker.lines(side)).collect::<Vec<_>>())
+            let lines: Result<Vec<_>> = sides.iter().map(|side| maker.lines(side)).collect();
+            lines.map(|lines| lines.concat())
         })?;
-        maker.join(lines.into_iter().flatten(), torn, &mut room, run)
+        let mut graph = maker.join(lines.into_iter().flatten(), torn, &mut room, run)?;
+        graph.points.iter_mut().for_each(|point| *point = frame.outward(*point));
+        Ok(MedialGraph { sites: given.clone(), ..graph })
     }
 
     /// What the boundary was.
@@ -219,6 +225,7 @@ impl GraphOptions {
 }
 
 /// A part of an arc that passes the thresholds: the nodes at its ends, if it comes to them, and what lies between.
+#[derive(Clone)]
 struct Line {
     ends: [Option<u32>; 2],
     points: Vec<MedialPoint>,
@@ -262,7 +269,7 @@ impl Maker<'_> {
     }
 
     /// The parts of an arc that pass the thresholds.
-    fn lines(&self, side: &ArcSide) -> Vec<Line> {
+    fn lines(&self, side: &ArcSide) -> Result<Vec<Line>> {
         let walk = self.envelope.walk_of(side);
         let at =
             |position: Position| Some((position, self.envelope.touch_of(walk, position)?.point));
@@ -276,7 +283,7 @@ impl Maker<'_> {
         stops.dedup();
         for stop in stops.into_iter().filter_map(at) {
             if let Some(&last) = places.last() {
-                self.divide(walk, last, stop, 0, &mut places);
+                self.divide(walk, last, stop, 0, &mut places)?;
             }
             places.push(stop);
         }
@@ -315,7 +322,7 @@ impl Maker<'_> {
             let node = side.nodes[1];
             line.ends[1] = (node != NONE).then_some(node);
         }
-        lines
+        Ok(lines)
     }
 
     /// The last point that passes the thresholds on the way from a position where they are passed to one where they are not.
@@ -342,23 +349,24 @@ impl Maker<'_> {
         to: (Position, MedialPoint),
         depth: usize,
         places: &mut Vec<(Position, MedialPoint)>,
-    ) {
+    ) -> Result<()> {
+        self.envelope.run.poll()?;
         let chord = sub(to.1.center, from.1.center);
         let size = length(chord);
         if depth >= DEPTH || size <= 1e-3 * self.spacing {
-            return;
+            return Ok(());
         }
         let position = 0.5 * (from.0 + to.0);
-        let Some(touch) = self.envelope.touch_of(walk, position) else { return };
+        let Some(touch) = self.envelope.touch_of(walk, position) else { return Ok(()) };
         let way = sub(touch.point.center, from.1.center);
         let bulge = cross(chord, way)[2].abs() / size;
         if size <= self.spacing && bulge <= BULGE * self.spacing {
-            return;
+            return Ok(());
         }
         let middle = (position, touch.point);
-        self.divide(walk, from, middle, depth + 1, places);
+        self.divide(walk, from, middle, depth + 1, places)?;
         places.push(middle);
-        self.divide(walk, middle, to, depth + 1, places);
+        self.divide(walk, middle, to, depth + 1, places)
     }
 
     /// Numbers the nodes that are still of use, and joins the lines to them.
@@ -369,7 +377,8 @@ impl Maker<'_> {
         room: &mut Room<'_>,
         run: &Run<'_>,
     ) -> Result<MedialGraph> {
-        let lines: Vec<Line> = lines.collect();
+        // The axis of a disc is a point, which its whole rim sees.
+        let (dots, lines): (Vec<Line>, Vec<Line>) = lines.partition(|line| self.is_dot(line));
         let mut number = room.filled(self.nodes.len(), NONE)?;
         let mut points: Vec<MedialPoint> = Vec::new();
         for line in run.watch(&lines) {
@@ -393,6 +402,10 @@ impl Maker<'_> {
                     }
                 }
             }
+        }
+        let widest = |p: &&MedialPoint, q: &&MedialPoint| p.object_angle.total_cmp(&q.object_angle);
+        for dot in dots.iter().filter_map(|line| line.points.iter().max_by(widest)) {
+            room.push(&mut points, *dot)?;
         }
         let node_count = points.len();
         let mut arcs = Vec::new();
@@ -426,6 +439,13 @@ impl Maker<'_> {
             }
         }
         Ok(MedialGraph { sites: self.sites.clone(), node_count, points, arcs, torn })
+    }
+
+    /// Whether a line without nodes is a point but for rounding.
+    fn is_dot(&self, line: &Line) -> bool {
+        let near = 1e-9 * self.sites.size();
+        let is_near = |p: &MedialPoint, q: &MedialPoint| length(sub(p.center, q.center)) <= near;
+        line.ends == [None; 2] && line.points.iter().all(|point| is_near(point, &line.points[0]))
     }
 
     fn is_closed(&self, line: &Line) -> bool {

@@ -6,6 +6,7 @@
 
 mod envelope;
 mod feature;
+mod frame;
 mod graph;
 mod sides;
 mod walk;

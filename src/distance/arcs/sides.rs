@@ -51,19 +51,15 @@ struct Contact {
 
 impl Envelope<'_> {
     /// Finds the breaks and joins what lies between them, until both sides of every arc agree.
-    pub fn arc_sides(
-        &self,
-        tolerance: f64,
-        room: &mut Room<'_>,
-        run: &Run<'_>,
-    ) -> Result<ArcSides> {
+    pub fn arc_sides(&self, tolerance: f64, room: &mut Room<'_>) -> Result<ArcSides> {
+        let run = self.run;
         let count = self.walks.features.len();
         let mut hints: Vec<Vec<f64>> = vec![Vec::new(); count];
         let mut breaks: Vec<Vec<Break>> = room.collect((0..count).map(|_| Vec::new()))?;
         let mut changed: Vec<usize> = (0..count).collect();
         let mut round = 0;
         loop {
-            self.find_breaks(&changed, &hints, &mut breaks, run)?;
+            self.find_breaks(&changed, &hints, &mut breaks)?;
             let mut found = self.between(&breaks, tolerance, room, run)?;
             let new = self.pair(&mut found, run)?;
             round += 1;
@@ -99,7 +95,10 @@ impl Envelope<'_> {
             for feature in walk.clone() {
                 for &Break { u, center, radius, .. } in &breaks[feature] {
                     let node = spots.len() as u32;
-                    contacts.push(Contact { at: feature as f64 + u, node });
+                    // The end of a walk is its begin; its number is the next walk's.
+                    let is_end = feature as f64 + u >= walk.end as f64;
+                    let at = if is_end { walk.start as f64 } else { feature as f64 + u };
+                    contacts.push(Contact { at, node });
                     room.push(&mut spots, Node { center, radius })?;
                 }
                 if self.walks.is_corner[feature] {
@@ -112,7 +111,8 @@ impl Envelope<'_> {
         }
         let (nodes, node_of) = clustered(&spots, tolerance, room, run)?;
         let mut found = ArcSides { nodes, ..ArcSides::default() };
-        for (walk, contacts) in self.walks.walks.iter().zip(&mut contacts) {
+        for (number, contacts) in contacts.iter_mut().enumerate() {
+            let walk = &self.walks.walks[number];
             contacts.iter_mut().for_each(|contact| contact.node = node_of[contact.node as usize]);
             contacts.sort_by(|a, b| a.at.total_cmp(&b.at));
             let length = walk.len() as f64;
@@ -138,7 +138,7 @@ impl Envelope<'_> {
                 };
                 // What two breaks at one node leave between them is nothing, or beyond the rim.
                 let is_nothing = from.node == to.node
-                    && self.touch_at(0.5 * (from.at + end)).is_none_or(|touch| {
+                    && self.touch_of(number, 0.5 * (from.at + end)).is_none_or(|touch| {
                         let node = found.nodes[from.node as usize];
                         let way = sub(touch.point.center, node.center);
                         dot(way, way) <= 4.0 * tolerance * tolerance
@@ -160,12 +160,7 @@ impl Envelope<'_> {
         (feature, (at - feature as f64).clamp(0.0, 1.0))
     }
 
-    /// The medial ball that touches a position, whose walk is that of the side which begins at or before it.
-    pub fn touch_at(&self, at: Position) -> Option<Touch> {
-        // Positions beyond the end of a walk are those of sides that began in it.
-        self.touch_of(self.walk_at(at), at)
-    }
-
+    /// The medial ball that touches a position, which may lie beyond the end of its walk.
     pub fn touch_of(&self, walk: usize, at: Position) -> Option<Touch> {
         let (feature, u) = self.unwound(walk, at);
         self.touch(feature, u)
@@ -202,10 +197,14 @@ impl Envelope<'_> {
             let agrees = partner != NONE && partners[partner as usize] == i as u32;
             (found.sides[i].partner, found.sides[i].agrees) = (partner, agrees);
             if !agrees {
-                let side = &found.sides[i];
-                let (feature, u) =
-                    self.unwound(self.walk_of(side), 0.5 * (side.span[0] + side.span[1]));
-                new.extend([touch.opposite, (feature as u32, u)]);
+                new.push(touch.opposite);
+                // What is opposite in the middle of the partner may part what comes before it and behind it, and is the same.
+                let sides = [Some(&found.sides[i]), found.sides.get(partner as usize)];
+                new.extend(sides.into_iter().flatten().map(|side| {
+                    let middle = 0.5 * (side.span[0] + side.span[1]);
+                    let (feature, u) = self.unwound(self.walk_of(side), middle);
+                    (feature as u32, u)
+                }));
             }
         }
         Ok(new)
@@ -222,13 +221,16 @@ impl Envelope<'_> {
         let at = f64::from(feature) + u;
         let holds = |i: usize, at: f64| {
             let [begin, end] = sides[i].span;
-            begin <= at && at <= end
+            // Beyond the end of a walk are the numbers of the next one.
+            let is_of_walk = walk.start as f64 <= begin && begin < walk.end as f64;
+            is_of_walk && begin <= at && at <= end
         };
         let after = sides.partition_point(|side| side.span[0] <= at);
         let last = sides.partition_point(|side| side.span[0] < walk.end as f64);
         // The last side of a walk may go on beyond its end.
         let candidates = [
             after.checked_sub(1).map(|i| (i, at)),
+            last.checked_sub(1).map(|i| (i, at)),
             last.checked_sub(1).map(|i| (i, at + walk.len() as f64)),
         ];
         candidates.into_iter().flatten().find(|&(i, at)| holds(i, at)).map(|(i, _)| i as u32)

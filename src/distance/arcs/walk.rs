@@ -5,12 +5,14 @@ use crate::distance::piece::Piece;
 use crate::distance::sites::Sites;
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::job::{Room, Run};
-use crate::vector::{Vec3, sub};
+use crate::vector::{Vec3, cross, dot, sub};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::ops::Range;
 
 /// A corner less than this from straight is none.
 const STRAIGHT: f64 = 1e-12;
+/// A point that is nearer than this share of the size to a circle is a point of it.
+const ON_CIRCLE: f64 = 1e-15;
 
 /// Closed walks round what is connected of the boundary, as features one after the other.
 ///
@@ -23,7 +25,7 @@ pub(super) struct Walks {
     pub walks: Vec<Range<usize>>,
     pub walk_of: Vec<u32>,
     pub is_corner: Vec<bool>,
-    /// The two sides of each segment, the inside and the outside of each circle, in this order; `u32::MAX` for other pieces.
+    /// The two sides of each segment, the inside and the outside of each circle, or of that which a point lies on, in this order; `u32::MAX` for other pieces.
     pub of_piece: Vec<[u32; 2]>,
     /// The fans round each end of a segment, by its coordinates, which ascend.
     pub fans: Vec<(Vec3, u32)>,
@@ -74,7 +76,7 @@ impl Walks {
             }
         }
         walks.follow(halves, room, run)?;
-        walks.add_points(points, room)?;
+        walks.add_points(sites, points, room)?;
         walks.fans.sort_by(|(p, i), (q, j)| order(p, q).then(i.cmp(j)));
         Ok(walks)
     }
@@ -134,13 +136,25 @@ impl Walks {
     }
 
     /// Walks round single points, each once.
-    fn add_points(&mut self, mut points: Vec<(Vec3, u32)>, room: &mut Room<'_>) -> Result<()> {
+    fn add_points(
+        &mut self,
+        sites: &Sites,
+        mut points: Vec<(Vec3, u32)>,
+        room: &mut Room<'_>,
+    ) -> Result<()> {
+        let is_circle = |piece: u32| matches!(sites.pieces()[piece as usize], Piece::Sphere(..));
+        let mut feet = Vec::new();
         points.sort_by(|(p, i), (q, j)| order(p, q).then(i.cmp(j)));
         points.dedup_by(|(p, _), (q, _)| p == q);
         let mut ends: Vec<Vec3> = self.fans.iter().map(|(p, _)| *p).collect();
         ends.sort_by(order);
         for (at, piece) in points {
-            // A point at which segments end is seen through their fans, if at all.
+            // A point at which segments end is seen through their fans, if at all; one on a circle is the circle's.
+            sites.feet_within(at, ON_CIRCLE * sites.size(), &mut feet);
+            if let Some(circle) = feet.iter().find(|foot| is_circle(foot.piece)) {
+                self.of_piece[piece as usize] = self.of_piece[circle.piece as usize];
+                continue;
+            }
             if ends.binary_search_by(|p| order(p, &at)).is_err() {
                 let number = self.features.len() as u32;
                 self.push(Feature::Fan { at, first: PI, turn: TAU }, piece, room)?;
@@ -165,7 +179,7 @@ impl Walks {
     }
 
     /// The feature of the boundary that has a nearest point of a medial ball, and where on it.
-    pub fn find(&self, sites: &Sites, foot: Vec3, piece: u32, center: Vec3) -> Option<(u32, f64)> {
+    pub fn find(&self, foot: Vec3, piece: u32, center: Vec3) -> Option<(u32, f64)> {
         let begin = self.fans.partition_point(|(p, _)| order(p, &foot).is_lt());
         let fans = self.fans[begin..].iter().take_while(|(p, _)| *p == foot);
         let with = |number: u32| (number, self.features[number as usize].number(center));
@@ -177,16 +191,13 @@ impl Walks {
             return Some(with(fan));
         }
         let [first, second] = self.of_piece[piece as usize];
-        let is_second = match sites.pieces()[piece as usize] {
-            Piece::Segment([a, b]) => {
-                let (along, to) = (sub(b, a), sub(center, a));
-                along[0] * to[1] - along[1] * to[0] < 0.0
+        let is_second = match self.features.get(first as usize) {
+            Some(Feature::Side { ends: [a, b] }) => cross(sub(*b, *a), sub(center, *a))[2] < 0.0,
+            Some(Feature::Circle { center: middle, radius, .. }) => {
+                let out = sub(center, *middle);
+                dot(out, out) > radius * radius
             }
-            Piece::Sphere(middle, radius) => {
-                let out = sub(center, middle);
-                out[0] * out[0] + out[1] * out[1] > radius * radius
-            }
-            _ => false,
+            Some(Feature::Fan { .. }) | None => false,
         };
         let number = if is_second { second } else { first };
         (number != u32::MAX).then(|| with(number))

@@ -50,17 +50,17 @@ impl Hierarchy {
         best
     }
 
-    /// Whether the point is within a ball, and not on its sphere.
-    pub fn holds(&self, p: Vec3) -> bool {
+    /// Whether the point is deeper than so in a ball; than 0, not on its sphere.
+    pub fn holds(&self, p: Vec3, depth: f64) -> bool {
         let mut is_held = false;
         self.boxes.least_first(
             |node| lower(node, p),
-            0.0,
+            -depth,
             |places| {
                 let mut balls = self.balls[places].iter();
-                is_held = balls.any(|&(c, r)| signed_distance(p, c, r) < 0.0);
+                is_held = balls.any(|&(c, r)| signed_distance(p, c, r) < -depth);
                 // One is enough.
-                if is_held { f64::NEG_INFINITY } else { 0.0 }
+                if is_held { f64::NEG_INFINITY } else { -depth }
             },
         );
         is_held

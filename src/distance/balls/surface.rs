@@ -15,6 +15,8 @@ use std::sync::Arc;
 /// Cells that one thread labels between two reports, and between two polls.
 const CELLS: usize = PART / 16;
 const BATCH: usize = 64;
+/// How deep in a ball a sample may be, beside its coordinates: by rounding.
+const BARE: f64 = 1e-13;
 
 pub(super) fn boundary(balls: &Balls, options: BoundaryOptions, run: &Run<'_>) -> Result<Complex> {
     let sizes = Scale(match options.spacing {
@@ -43,6 +45,18 @@ fn samples(balls: &Balls, sizes: Scale, room: &mut Room<'_>, run: &Run<'_>) -> R
     let mut samples = Vec::new();
     creases::samples(&exposed, sizes, &mut samples, room, run)?;
     patches::samples(&exposed, sizes, &mut samples, room, run)?;
+    // Of balls that are the same but for rounding, so is what is next to which.
+    let is_bare = run.in_parallel(samples.chunks(CELLS).collect(), |samples| {
+        run.poll()?;
+        let depth = |sample: &Sample| {
+            let largest = sample.point.into_iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+            BARE * largest.max(balls.radii[sample.ball as usize])
+        };
+        let is_bare = |sample: &Sample| !balls.hierarchy.holds(sample.point, depth(sample));
+        Ok(samples.iter().map(is_bare).collect::<Vec<_>>())
+    })?;
+    let mut is_bare = is_bare.into_iter().flatten();
+    samples.retain(|_| is_bare.next() == Some(true));
     thinned(&mut samples, sizes, &mut own, run)?;
     for sample in &mut samples {
         // What is so near to 0 is out of the range of coordinates.
@@ -76,7 +90,7 @@ fn label(
             // The balls of the corners hold most centres that are held at all.
             let own = cell.map(|v| samples[delaunay.row_of_vertex()[v as usize] as usize].ball);
             *is_inner = own.iter().any(|&ball| balls.ball_holds(ball, center))
-                || balls.hierarchy.holds(center);
+                || balls.hierarchy.holds(center, 0.0);
         }
         Ok(())
     })?;
