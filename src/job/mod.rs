@@ -61,10 +61,12 @@ pub enum Stage {
     Flow = 16,
     /// Sampling the distance to sites.
     Field = 17,
+    /// Pairing the boundary of a solid with an inner structure.
+    Pair = 18,
 }
 
 /// Every stage, by number.
-const STAGES: [Stage; 18] = [
+const STAGES: [Stage; 19] = [
     Stage::Idle,
     Stage::Read,
     Stage::Order,
@@ -83,6 +85,7 @@ const STAGES: [Stage; 18] = [
     Stage::Medial,
     Stage::Flow,
     Stage::Field,
+    Stage::Pair,
 ];
 
 impl Stage {
@@ -113,6 +116,7 @@ impl Stage {
             Stage::Medial => c"medial",
             Stage::Flow => c"flow",
             Stage::Field => c"field",
+            Stage::Pair => c"pair",
         }
     }
 }

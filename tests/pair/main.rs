@@ -1,0 +1,6 @@
+//! Pair-meshes.
+
+mod partition;
+mod shapes;
+mod surfaces;
+mod uses;
