@@ -116,3 +116,65 @@ impl PairMesh {
         volumes.fold(0.0, f64::max)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::complex::Rows;
+    use crate::dual::{Dual, DualOptions};
+    use crate::labels::Labels;
+    use crate::points::Points;
+    use crate::triangulation::Triangulation;
+    use std::sync::Arc;
+
+    /// Points near a sphere, all cells inner.
+    fn ball() -> PairMesh {
+        let job = Job::default();
+        let at = |i: usize| {
+            let (z, turn) = (1.0 - (2.0 * i as f64 + 1.0) / 60.0, 2.4 * i as f64);
+            let r = (1.0 - z * z).sqrt();
+            [r * libm::cos(turn), 0.8 * r * libm::sin(turn), 0.6 * z]
+        };
+        let points = Points::by_row(60, at, Default::default(), &job).unwrap();
+        let t = Arc::new(Triangulation::delaunay(&Arc::new(points), &job).unwrap());
+        let dual = Arc::new(Dual::new(&t, DualOptions { facets: true }, &job).unwrap());
+        let labels = Labels::new(&t, vec![true; t.cells().len()]).unwrap();
+        PairMesh::voronoi(&dual, &labels, &job).unwrap()
+    }
+
+    #[test]
+    fn whatever_is_changed_is_noticed() {
+        let mesh = ball();
+        let report = mesh.validate(&Job::default()).unwrap();
+        assert!(report.is_valid() && report.checked > 500, "{report:?}");
+        type Change = fn(&mut PairMesh);
+        let changes: [(&str, Change); 6] = [
+            ("an inner vertex outside", |mesh| mesh.inner[3] = [3.0, 0.0, 0.0]),
+            ("a boundary vertex inside out", |mesh| {
+                mesh.boundary[3] = mesh.boundary[3].map(|x| -x)
+            }),
+            ("a node of another vertex", |mesh| mesh.nodes[5][0] = (mesh.nodes[5][0] + 1) % 60),
+            ("an element turned round", |mesh| {
+                let rings: Vec<Vec<u32>> = mesh.rings.iter().map(<[u32]>::to_vec).collect();
+                mesh.rings = Rows::default();
+                for (i, mut ring) in rings.into_iter().enumerate() {
+                    if i == mesh.ends[1] {
+                        ring.reverse();
+                    }
+                    mesh.rings.push(&ring).unwrap();
+                }
+            }),
+            ("an element less", |mesh| {
+                let rings: Vec<Vec<u32>> = mesh.rings.iter().map(<[u32]>::to_vec).collect();
+                mesh.rings = Rows::default();
+                rings[..rings.len() - 1].iter().for_each(|ring| mesh.rings.push(ring).unwrap());
+            }),
+            ("a face less", |mesh| mesh.ends[0] -= 2),
+        ];
+        for (name, change) in changes {
+            let mut mesh = mesh.clone();
+            change(&mut mesh);
+            assert!(!mesh.validate(&Job::default()).unwrap().is_valid(), "{name}");
+        }
+    }
+}

@@ -11,10 +11,12 @@ const TIMES: [f64; 8] = [0.001, 0.01, 0.05, 0.1, 0.3, 0.5, 0.75, 0.9];
 fn every_surface_is_closed_oriented_and_of_the_genus_of_the_boundary() {
     let job = Job::default();
     let mut random = Random(1);
-    for (mesh, genus) in [
-        (mesh(&sphere(400, &mut random), |_| true), 0),
-        (mesh(&torus(3000, &mut random), is_in_torus), 1),
-    ] {
+    // Not a sphere, where all Voronoi vertices are one but for rounding.
+    let ellipsoid: Vec<[f64; 3]> =
+        sphere(400, &mut random).iter().map(|p| [p[0], 0.8 * p[1], 0.6 * p[2]]).collect();
+    for (mesh, genus) in
+        [(mesh(&ellipsoid, |_| true), 0), (mesh(&torus(3000, &mut random), is_in_torus), 1)]
+    {
         let volumes = mesh.volumes(&job).unwrap();
         for t in TIMES {
             let surface = mesh.iso_surface(t, &job).unwrap();
