@@ -344,6 +344,11 @@ typedef struct medax_flow medax_flow;
 typedef struct medax_flow_complex medax_flow_complex;
 
 /**
+ * Every face of every element of a pair-mesh, with its edges.
+ */
+typedef struct medax_half_faces medax_half_faces;
+
+/**
  * The cells of each vertex of a triangulation, and its edges.
  */
 typedef struct medax_incidence medax_incidence;
@@ -372,6 +377,11 @@ typedef struct medax_medial medax_medial;
  * The medial axis of sites in the plane as a graph.
  */
 typedef struct medax_medial_graph medax_medial_graph;
+
+/**
+ * A solid between an inner structure and its boundary.
+ */
+typedef struct medax_pair medax_pair;
 
 /**
  * Distinct points in spatial order, with maps from and to the input's rows.
@@ -4129,7 +4139,579 @@ const medax_flow_complex *medax_flow_complex_clone(const medax_flow_complex *flo
  */
 MEDAX_API void medax_flow_complex_free(const medax_flow_complex *flow_complex);
 
-/* ---- 22. Complex ------------------------------------------------------------------------------
+/* ---- 22. Pair-mesh ----------------------------------------------------------------------------
+ *
+ * A solid between an inner structure and its boundary, in pyramids and tetrahedra, each with some vertices on either. A node pairs a vertex of
+ * the boundary with an inner one; an element is a ring of nodes. With each node so far on the way from its inner vertex (t = 0) to that of the boundary
+ * (t = 1), nodes and rings are a closed surface for every t. (Shaham, Shamir, Cohen-Or 2004, Medial axis based solid representation.)
+ */
+
+/**
+ * The kinds of elements. (Shaham, Shamir, Cohen-Or 2004, figure 1.)
+ */
+enum medax_pair_element
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * A pyramid with a vertex of the boundary over a face of the inner structure.
+     */
+    MEDAX_PAIR_ELEMENT_FACE_VERTEX = 1,
+    /**
+     * A tetrahedron between an edge of the inner structure and one of the boundary.
+     */
+    MEDAX_PAIR_ELEMENT_EDGE_EDGE = 2,
+    /**
+     * A tetrahedron with an inner vertex over a triangle of the boundary.
+     */
+    MEDAX_PAIR_ELEMENT_VERTEX_FACE = 3,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum medax_pair_element medax_pair_element;
+#else
+typedef uint32_t medax_pair_element;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * The pair-mesh between the inner part of a Voronoi diagram and the surface between inner and outer cells.
+ *
+ * It always succeeds. Samples of which all cells are inner are removed, and the rest is triangulated anew. Voronoi vertices of cells that
+ * share a sphere are one. Where an element would be turned inside out, inner vertices are moved, no farther than they must; a facet that is no longer
+ * planar is divided into triangles round a vertex in its middle. The surface stays as it is.
+ *
+ * \param dual The Voronoi diagram of the samples, which must have its facets.
+ * \param labels Which of its cells are inner: by Tight Cocone, a power crust, a mesh, or the caller.
+ * \param job NULL for a default job.
+ * \param out_pair Receives the pair-mesh, which the caller frees with #medax_pair_free.
+ * \return `MEDAX_STATUS_OK`; `DEGENERATE` where no cell is inner; `INVALID_ARGUMENT` for a power diagram, or one without facets; `MISMATCH`
+ *         for labels of another triangulation; `LIMIT_EXCEEDED` past 2^32 - 1 corners; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`,
+ *         `OUT_OF_MEMORY`.
+ *
+ * O(size of the dual), besides what is mended. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_pair_voronoi(const medax_dual *dual,
+                                const medax_labels *labels,
+                                const medax_job *job,
+                                const medax_pair **out_pair);
+
+/**
+ * The number of elements of a kind. Elements stand by kind: pyramids first, those over both sides of inner face `f` are `2 * f` and
+ * `2 * f + 1`; then those between edges; then those over the triangles of the boundary.
+ *
+ * \param pair The pair-mesh; NULL has none.
+ * \param kind A #medax_pair_element, or 0 for all.
+ * \return The number of elements; 0 for a kind that is none.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+size_t medax_pair_element_count(const medax_pair *pair,
+                                uint32_t kind);
+
+/**
+ * The vertices of the boundary.
+ *
+ * \param pair The pair-mesh, or NULL.
+ * \return n x 3 coordinates. Borrowed from `pair`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_pair_boundary_vertices(const medax_pair *pair);
+
+/**
+ * The sample that each vertex of the boundary is.
+ *
+ * \param pair The pair-mesh, or NULL.
+ * \return n x 1 vertices of the triangulation. Borrowed from `pair`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_pair_boundary_samples(const medax_pair *pair);
+
+/**
+ * The inner vertices.
+ *
+ * \param pair The pair-mesh, or NULL.
+ * \return m x 3 coordinates. Borrowed from `pair`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_pair_inner_vertices(const medax_pair *pair);
+
+/**
+ * The cell of which each inner vertex is the Voronoi vertex, of several the least.
+ *
+ * \param pair The pair-mesh, or NULL.
+ * \return m x 1 cells; `MEDAX_NONE` for a vertex in the middle of a facet, and throughout where samples were removed. Borrowed from `pair`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_u32 medax_pair_inner_cells(const medax_pair *pair);
+
+/**
+ * Where each inner vertex would be, had nothing been turned inside out.
+ *
+ * \param pair The pair-mesh, or NULL.
+ * \return m x 3 coordinates. Borrowed from `pair`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_f64 medax_pair_voronoi_vertices(const medax_pair *pair);
+
+/**
+ * The faces of the inner structure.
+ *
+ * \param pair The pair-mesh, or NULL.
+ * \return One row a face: inner vertices, counterclockwise seen from the apex of the second of its two pyramids. Borrowed from `pair`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_rows medax_pair_inner_faces(const medax_pair *pair);
+
+/**
+ * The nodes.
+ *
+ * \param pair The pair-mesh, or NULL.
+ * \return k x 2: a vertex of the boundary, an inner vertex. Borrowed from `pair`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_pair_nodes(const medax_pair *pair);
+
+/**
+ * The elements, each as its nodes.
+ *
+ * \param pair The pair-mesh, or NULL.
+ * \return One row an element, counterclockwise seen from the boundary: of a pyramid its apex with each corner of its base; of an element between two edges the ends of the boundary's with the first end of the inner one, then, the other way round, with the second; of one over a triangle its corners. Borrowed from `pair`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_rows medax_pair_rings(const medax_pair *pair);
+
+/**
+ * The samples inside the solid, which were removed.
+ *
+ * \param pair The pair-mesh, or NULL.
+ * \return Vertices of the triangulation, ascending. Borrowed from `pair`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_pair_removed(const medax_pair *pair);
+
+/**
+ * The volume that the boundary encloses.
+ *
+ * \param pair The pair-mesh; NULL encloses nothing.
+ * \return The volume, in cubed input units.
+ *
+ * O(triangles). Since 0.1.
+ */
+MEDAX_API double medax_pair_enclosed_volume(const medax_pair *pair);
+
+/**
+ * The volume of each element; less than 0 where one is turned inside out.
+ *
+ * \param pair The pair-mesh.
+ * \param job NULL for a default job.
+ * \param out_volumes Receives a number for each element, in cubed input units; the caller's buffer.
+ * \return `MEDAX_STATUS_OK`; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(size). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_pair_volumes(const medax_pair *pair,
+                                const medax_job *job,
+                                double *out_volumes);
+
+/**
+ * The centroid of each element; of one without volume the mean of its corners.
+ *
+ * \param pair The pair-mesh.
+ * \param job NULL for a default job.
+ * \param out_centroids Receives 3 coordinates for each element; the caller's buffer.
+ * \return `MEDAX_STATUS_OK`; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(size). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_pair_centroids(const medax_pair *pair,
+                                  const medax_job *job,
+                                  double *out_centroids);
+
+/**
+ * The shell of each element: the closed surface that it is a face of for every t. Shells are numbered from 0 as they come.
+ *
+ * \param pair The pair-mesh.
+ * \param job NULL for a default job.
+ * \param out_shells Receives a number for each element; the caller's buffer.
+ * \return `MEDAX_STATUS_OK`; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(size). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_pair_shells(const medax_pair *pair,
+                               const medax_job *job,
+                               uint32_t *out_shells);
+
+/**
+ * The elements that are turned inside out, in part or as a whole: some tetrahedron has a volume that is exactly less than 0. None of a pair-mesh as
+ * it is built, but where rounding leaves no other place; those of one that was deformed may be many.
+ *
+ * \param pair The pair-mesh.
+ * \param job NULL for a default job.
+ * \param out_folded Receives these elements, ascending; the caller's buffer, with room for as many as there are elements. The rest is left as it is.
+ * \param out_count Receives how many they are.
+ * \return `MEDAX_STATUS_OK`; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(size). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_pair_folded(const medax_pair *pair,
+                               const medax_job *job,
+                               uint32_t *out_folded,
+                               size_t *out_count);
+
+/**
+ * The surface on which each node is so far on the way from its inner vertex to its vertex of the boundary.
+ *
+ * For t below 1 its vertices are the nodes and its faces the rings, the same for every t; for t = 0 it wraps the inner structure, and its two sides
+ * coincide. For t = 1 it is the boundary itself, vertex for vertex. Faces are convex, and planar but for rounding. Vertices carry `sample` and `inner_vertex`, faces
+ * `element` and `kind`; those of the boundary `sample` and `element`.
+ *
+ * \param pair The pair-mesh.
+ * \param t How far, in [0, 1].
+ * \param job NULL for a default job.
+ * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for another t; `LIMIT_EXCEEDED` past 2^32 - 2 elements; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`,
+ *         `OUT_OF_MEMORY`.
+ *
+ * O(size). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_pair_iso_surface(const medax_pair *pair,
+                                    double t,
+                                    const medax_job *job,
+                                    const medax_complex **out_complex);
+
+/**
+ * The solid as volume cells, an element each: tetrahedra, and pyramids over faces of more than three corners.
+ *
+ * Vertices are those of the boundary, then the inner ones, with `t` (1 on the boundary, 0 inside) and `sample`; cells carry `kind` and `volume`.
+ *
+ * \param pair The pair-mesh.
+ * \param job NULL for a default job.
+ * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`; `LIMIT_EXCEEDED` past 2^32 - 2 elements; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(size). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_pair_solid(const medax_pair *pair,
+                              const medax_job *job,
+                              const medax_complex **out_complex);
+
+/**
+ * The boundary: triangles that point out of the solid. Vertices carry `sample`, faces `element`.
+ *
+ * \param pair The pair-mesh.
+ * \param job NULL for a default job.
+ * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`; `LIMIT_EXCEEDED` past 2^32 - 2 elements; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(size). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_pair_boundary(const medax_pair *pair,
+                                 const medax_job *job,
+                                 const medax_complex **out_complex);
+
+/**
+ * The inner structure: its faces, and the edges that belong to none. Vertices carry `cell` and `moved`, how far they are from where they would be,
+ * had nothing been turned inside out.
+ *
+ * \param pair The pair-mesh.
+ * \param job NULL for a default job.
+ * \param out_complex Receives the complex, which the caller frees with #medax_complex_free.
+ * \return `MEDAX_STATUS_OK`; `LIMIT_EXCEEDED` past 2^32 - 2 elements; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(size). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_pair_inner(const medax_pair *pair,
+                              const medax_job *job,
+                              const medax_complex **out_complex);
+
+/**
+ * Checks that the elements are a partition of the solid: their sides meet in pairs, none is turned inside out but for rounding, and their volumes sum up to what the
+ * boundary encloses.
+ *
+ * \param pair The pair-mesh.
+ * \param job NULL for a default job.
+ * \param out_report Filled, its `struct_size` being set.
+ * \return `MEDAX_STATUS_OK`, whatever is found; `INVALID_ARGUMENT` for a report of no version; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(size). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_pair_validate(const medax_pair *pair,
+                                 const medax_job *job,
+                                 medax_validation *out_report);
+
+/**
+ * One more reference to a pair-mesh.
+ *
+ * \param pair The pair-mesh, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_pair *medax_pair_clone(const medax_pair *pair);
+
+/**
+ * Gives one reference to a pair-mesh back; the last one frees it.
+ *
+ * \param pair The pair-mesh; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_pair_free(const medax_pair *pair);
+
+/* ---- 23. Place --------------------------------------------------------------------------------
+ *
+ * Coordinates in a pair-mesh: which element holds a point, and how far it is between the inner structure and the boundary; and deformations, in
+ * which each node keeps its vector.
+ */
+
+/**
+ * A point of a solid.
+ */
+typedef struct {
+    /**
+     * The element, or `MEDAX_NONE` for a point outside the solid.
+     */
+    uint32_t element;
+    /**
+     * The number of a tetrahedron of it, as #medax_pair_piece takes it.
+     */
+    uint32_t piece;
+    /**
+     * How much each corner of that weighs: barycentric coordinates, whose sum is 1. NaN outside.
+     */
+    double weights[4];
+    /**
+     * How far the point is on the way from the inner structure (0) to the boundary (1). NaN outside.
+     */
+    double t;
+} medax_place;
+
+/**
+ * The place of each point; of several elements that share it the least. Which tetrahedron holds a point is decided exactly.
+ *
+ * \param pair The pair-mesh.
+ * \param query_xyz `query_count` x 3 coordinates; NULL only if `query_count` is 0.
+ * \param query_count The number of points.
+ * \param job NULL for a default job.
+ * \param out_places Receives `query_count` places; the caller's buffer, NULL only if `query_count` is 0.
+ * \return `MEDAX_STATUS_OK`; `NON_FINITE`, or `COORDINATE_RANGE`, with the row of a query; `NULL_ARGUMENT`, `INVALID_ARGUMENT`, `CANCELLED`,
+ *         `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(size log size), then about O(log size) a query: ask for many at once. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_pair_locate(const medax_pair *pair,
+                               const double *query_xyz,
+                               size_t query_count,
+                               const medax_job *job,
+                               medax_place *out_places);
+
+/**
+ * The points at some places: the weighted means of the corners, whatever the weights.
+ *
+ * \param pair The pair-mesh.
+ * \param places `place_count` places, of which `t` counts for nothing; NULL only if `place_count` is 0.
+ * \param place_count The number of places.
+ * \param out_xyz Receives `place_count` x 3 coordinates; the caller's buffer, NULL only if `place_count` is 0.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` with the row of a place whose element or tetrahedron is not there; `NULL_ARGUMENT`.
+ *
+ * O(places). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_pair_positions(const medax_pair *pair,
+                                  const medax_place *places,
+                                  size_t place_count,
+                                  double *out_xyz);
+
+/**
+ * The corners of a tetrahedron of an element, positively oriented. An element between two edges, or over a triangle, is one; a pyramid over k corners is k - 2,
+ * its apex with a fan of its base, the same from both sides of a face.
+ *
+ * \param pair The pair-mesh.
+ * \param element The element.
+ * \param piece The number of the tetrahedron.
+ * \param out_corners Receives four vertices: those of the boundary count first, then the inner ones.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` with an element that is not there, or that has no such tetrahedron; `NULL_ARGUMENT`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_pair_piece(const medax_pair *pair,
+                              uint32_t element,
+                              uint32_t piece,
+                              uint32_t *out_corners);
+
+/**
+ * The mesh with the inner vertices at other places, and each vertex of the boundary moved by the mean of what the inner vertices of its nodes are moved by.
+ * #medax_pair_folded tells which elements that turns inside out.
+ *
+ * \param pair The pair-mesh, which stays as it is.
+ * \param inner_xyz `inner_count` x 3 coordinates, one row for each inner vertex.
+ * \param inner_count How many.
+ * \param job NULL for a default job.
+ * \param out_pair Receives the pair-mesh, which the caller frees with #medax_pair_free.
+ * \return `MEDAX_STATUS_OK`; `MISMATCH` for another number of vertices; `NON_FINITE` and `COORDINATE_RANGE` with the vertex; `NULL_ARGUMENT`,
+ *         `INVALID_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(size). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_pair_with_inner(const medax_pair *pair,
+                                   const double *inner_xyz,
+                                   size_t inner_count,
+                                   const medax_job *job,
+                                   const medax_pair **out_pair);
+
+/**
+ * The mesh with the vertices of the boundary at other places, and each inner vertex moved by the mean of what the boundary vertices of its nodes are moved by.
+ *
+ * \param pair The pair-mesh, which stays as it is.
+ * \param boundary_xyz `boundary_count` x 3 coordinates, one row for each vertex of the boundary.
+ * \param boundary_count How many.
+ * \param job NULL for a default job.
+ * \param out_pair Receives the pair-mesh, which the caller frees with #medax_pair_free.
+ * \return As #medax_pair_with_inner.
+ *
+ * O(size). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_pair_with_boundary(const medax_pair *pair,
+                                      const double *boundary_xyz,
+                                      size_t boundary_count,
+                                      const medax_job *job,
+                                      const medax_pair **out_pair);
+
+/* ---- 24. Half-faces ---------------------------------------------------------------------------
+ *
+ * Every face of every element of a pair-mesh, seen from inside that element, with its edges: for walks through the solid, round edges at which any number of
+ * elements meet, and over the inner structure and what wraps it. (Shaham, Shamir, Cohen-Or 2004, section 3.1.)
+ *
+ * An element's half-faces follow one another, a half-face's half-edges too, counterclockwise seen from outside the element. Those of a pyramid are its base, then its
+ * sides; of an element over a triangle the triangle, then its sides; of one between two edges its four sides: sides in the order of the element's ring.
+ */
+
+/**
+ * Makes the half-faces of a pair-mesh.
+ *
+ * \param pair The pair-mesh.
+ * \param job NULL for a default job.
+ * \param out_half_faces Receives the half-faces, which the caller frees with #medax_half_faces_free.
+ * \return `MEDAX_STATUS_OK`; `LIMIT_EXCEEDED` past 2^32 - 2 half-edges; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(size). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_half_faces_build(const medax_pair *pair,
+                                    const medax_job *job,
+                                    const medax_half_faces **out_half_faces);
+
+/**
+ * Where the half-faces of each element begin.
+ *
+ * \param half_faces The half-faces, or NULL.
+ * \return One more entry than elements. Borrowed from `half_faces`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_half_faces_of_element(const medax_half_faces *half_faces);
+
+/**
+ * Where the half-edges of each half-face begin.
+ *
+ * \param half_faces The half-faces, or NULL.
+ * \return One more entry than half-faces. Borrowed from `half_faces`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_half_faces_offsets(const medax_half_faces *half_faces);
+
+/**
+ * The half-face on the other side of each, with the same corners the other way round.
+ *
+ * \param half_faces The half-faces, or NULL.
+ * \return One entry a half-face; `MEDAX_NONE` on the boundary. Borrowed from `half_faces`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_half_faces_duals(const medax_half_faces *half_faces);
+
+/**
+ * The vertex at which each half-edge begins: those of the boundary count first, then the inner ones. It ends where the next one of its half-face begins.
+ *
+ * \param half_faces The half-faces, or NULL.
+ * \return One entry a half-edge. Borrowed from `half_faces`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_u32 medax_half_faces_origins(const medax_half_faces *half_faces);
+
+/**
+ * The half-edge on the other side of each edge within the element. By turns with #medax_half_faces_partners it leads round an edge, from element to element.
+ *
+ * \param half_faces The half-faces, or NULL.
+ * \return One entry a half-edge. Borrowed from `half_faces`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_view_u32 medax_half_faces_opposites(const medax_half_faces *half_faces);
+
+/**
+ * The half-edge of the same edge, the other way round, in the dual half-face.
+ *
+ * \param half_faces The half-faces, or NULL.
+ * \return One entry a half-edge; `MEDAX_NONE` where there is no dual. Borrowed from `half_faces`.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API medax_view_u32 medax_half_faces_partners(const medax_half_faces *half_faces);
+
+/**
+ * One more reference to half-faces.
+ *
+ * \param half_faces The half-faces, or NULL.
+ * \return The same pointer; the caller frees it once more.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API const medax_half_faces *medax_half_faces_clone(const medax_half_faces *half_faces);
+
+/**
+ * Gives one reference to half-faces back; the last one frees them.
+ *
+ * \param half_faces The half-faces; NULL does nothing.
+ *
+ * Since 0.1.
+ */
+MEDAX_API void medax_half_faces_free(const medax_half_faces *half_faces);
+
+/* ---- 25. Complex ------------------------------------------------------------------------------
  *
  * The one output type: vertices; faces, which are polygons; loose edges, which are no side of a
  * face; volume cells; named attributes on each of them; and the faces cut into triangles.
@@ -4406,7 +4988,7 @@ MEDAX_API const medax_complex *medax_complex_clone(const medax_complex *complex)
  */
 MEDAX_API void medax_complex_free(const medax_complex *complex);
 
-/* ---- 23. Figures ------------------------------------------------------------------------------
+/* ---- 26. Figures ------------------------------------------------------------------------------
  *
  * Curves and points in the plane: polygons with holes, open polylines, points, circles.
  *
@@ -4796,7 +5378,7 @@ MEDAX_API const medax_figure *medax_figure_clone(const medax_figure *figure);
  */
 MEDAX_API void medax_figure_free(const medax_figure *figure);
 
-/* ---- 24. Topology -----------------------------------------------------------------------------
+/* ---- 27. Topology -----------------------------------------------------------------------------
  *
  * What a complex is as a set of elements that share others, told from its indices alone: vertices
  * that merely lie at the same place are different vertices. And what its coordinates make of that: measures, triangles that intersect.
@@ -5003,7 +5585,7 @@ medax_status medax_complex_validate(const medax_complex *complex,
                                     const medax_job *job,
                                     medax_validation *out_report);
 
-/* ---- 25. Winding numbers ----------------------------------------------------------------------
+/* ---- 28. Winding numbers ----------------------------------------------------------------------
  *
  * How often the faces of a complex wind round a point: 1 inside a closed surface whose faces point out, 0 outside of it.
  * (Jacobson, Kavan, Sorkine-Hornung 2013, Robust inside-outside segmentation using generalized winding numbers.)
@@ -5033,7 +5615,7 @@ medax_status medax_complex_winding_numbers(const medax_complex *complex,
                                            const medax_job *job,
                                            double *out_numbers);
 
-/* ---- 26. Normals ------------------------------------------------------------------------------
+/* ---- 29. Normals ------------------------------------------------------------------------------
  *
  * The normals of a surface at its vertices.
  */
@@ -5063,7 +5645,7 @@ medax_status medax_complex_vertex_normals(const medax_complex *complex,
                                           size_t vertex_count,
                                           double *out_normals);
 
-/* ---- 27. Comparison ---------------------------------------------------------------------------
+/* ---- 30. Comparison ---------------------------------------------------------------------------
  *
  * How far two complexes are apart as sets of points: their faces, loose edges and cells, which are
  * solid; or their vertices, where they have none of these.
@@ -5160,7 +5742,7 @@ medax_status medax_complex_compare(const medax_complex *a,
                                    const medax_job *job,
                                    medax_comparison *out_report);
 
-/* ---- 28. Decimation ---------------------------------------------------------------------------
+/* ---- 31. Decimation ---------------------------------------------------------------------------
  *
  * Fewer triangles for the same surface.
  */
@@ -5219,7 +5801,7 @@ medax_status medax_complex_decimate(const medax_complex *complex,
                                     const medax_job *job,
                                     const medax_complex **out_decimated);
 
-/* ---- 29. Flattening ---------------------------------------------------------------------------
+/* ---- 32. Flattening ---------------------------------------------------------------------------
  *
  * Power shapes have tetrahedra, most of them flat: these collapse to their triangles, and the homotopy type stays.
  */
@@ -5328,7 +5910,7 @@ MEDAX_API const medax_flattened *medax_flattened_clone(const medax_flattened *fl
  */
 MEDAX_API void medax_flattened_free(const medax_flattened *flattened);
 
-/* ---- 30. Sites --------------------------------------------------------------------------------
+/* ---- 33. Sites --------------------------------------------------------------------------------
  *
  * What distances are measured to: a boundary, as pieces that belong to sites. A #medax_sites holds points, segments, rays, lines, in the
  * plane circles, in space triangles and spheres; it is made of a plane figure, of a mesh or polygon soup, or of the pieces themselves, and
@@ -5588,7 +6170,7 @@ MEDAX_API const medax_sites *medax_sites_clone(const medax_sites *sites);
  */
 MEDAX_API void medax_sites_free(const medax_sites *sites);
 
-/* ---- 31. Distance -----------------------------------------------------------------------------
+/* ---- 34. Distance -----------------------------------------------------------------------------
  *
  * What of some sites is nearest to points, all that is as near, and whether points lie inside.
  */
@@ -5756,7 +6338,7 @@ MEDAX_API const medax_all_nearest *medax_all_nearest_clone(const medax_all_neare
  */
 MEDAX_API void medax_all_nearest_free(const medax_all_nearest *all_nearest);
 
-/* ---- 32. Decisions ----------------------------------------------------------------------------
+/* ---- 35. Decisions ----------------------------------------------------------------------------
  *
  * Does a circle or a sphere hold a point of the medial axis? The gradient of the distance points away from what is nearest. Where two
  * points of a circle or sphere that no part of the boundary enters have gradients that do not go together, the medial axis passes between
@@ -5951,7 +6533,7 @@ double medax_largest_missed_angle(double gap,
                                   double radius,
                                   double distance);
 
-/* ---- 33. Field axis ---------------------------------------------------------------------------
+/* ---- 36. Field axis ---------------------------------------------------------------------------
  *
  * Points of the medial axis of sites, as dense as they are asked for, read off the gradient of the distance: APPROXMA2D in the plane,
  * APPROXMA3D in space. Circles or spheres cover what is looked at, and each is asked whether it holds a medial point
@@ -6082,7 +6664,8 @@ medax_status medax_field_axis_options_init(medax_field_axis_options *options,
  * \param job NULL for a default job.
  * \param out_axis Receives the points, which the caller frees with #medax_field_axis_free.
  * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for options out of range, and without a box for sites that are all rays and lines;
- *         `LIMIT_EXCEEDED` where the density or the least distance ask for more than 2^28 circles or spheres; `NULL_ARGUMENT`,
+ *         `LIMIT_EXCEEDED` for a density of less than 2^-20 of the box, and where the density or the least
+ *         distance ask for more than 2^28 circles or spheres; `NULL_ARGUMENT`,
  *         `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
  *
  * In the plane O(length / least distance + area / density^2) circles, in space O(area / density^2) spheres, each some queries for each
@@ -6343,7 +6926,7 @@ MEDAX_API const medax_field_axis *medax_field_axis_clone(const medax_field_axis 
  */
 MEDAX_API void medax_field_axis_free(const medax_field_axis *axis);
 
-/* ---- 34. Medial graph -------------------------------------------------------------------------
+/* ---- 37. Medial graph -------------------------------------------------------------------------
  *
  * The medial axis of segments, points and circles in the plane, as a graph: nodes, where arcs meet or end, and arcs. It is followed along
  * the boundary, to the precision of rounding; without thresholds it has the Betti numbers of the region.
@@ -6609,7 +7192,7 @@ MEDAX_API const medax_medial_graph *medax_medial_graph_clone(const medax_medial_
  */
 MEDAX_API void medax_medial_graph_free(const medax_medial_graph *graph);
 
-/* ---- 35. Balls --------------------------------------------------------------------------------
+/* ---- 38. Balls --------------------------------------------------------------------------------
  *
  * Unions of balls, such as those of a medial axis, which are the solid again: how far points are from one, and its boundary as a mesh.
  * (Edelsbrunner 1995, The union of balls and its dual shape.)
@@ -6789,7 +7372,7 @@ MEDAX_API const medax_balls *medax_balls_clone(const medax_balls *balls);
  */
 MEDAX_API void medax_balls_free(const medax_balls *balls);
 
-/* ---- 36. File contents ------------------------------------------------------------------------
+/* ---- 39. File contents ------------------------------------------------------------------------
  *
  * What a file holds, before points or a complex are made of it. Reading trusts nothing, and an error
  * names the line of a text or the byte of a binary file. The ending of a path names the format:
@@ -6965,7 +7548,7 @@ MEDAX_API const medax_file *medax_file_clone(const medax_file *file);
  */
 MEDAX_API void medax_file_free(const medax_file *file);
 
-/* ---- 37. Reading and writing ------------------------------------------------------------------
+/* ---- 40. Reading and writing ------------------------------------------------------------------
  *
  * Written are PLY, OFF, OBJ, STL, XYZ, PTS, TXT, CSV, MA, VTU, and GeoJSON for plane complexes, by the ending of the path, to a
  * file beside the given name, which is moved into place when it is complete: after an error, a file
@@ -7116,7 +7699,7 @@ MEDAX_API const medax_warnings *medax_warnings_clone(const medax_warnings *warni
  */
 MEDAX_API void medax_warnings_free(const medax_warnings *warnings);
 
-/* ---- 38. Samples ------------------------------------------------------------------------------
+/* ---- 41. Samples ------------------------------------------------------------------------------
  *
  * Points of the surfaces of built-in shapes and of meshes, evenly spread: no two are nearer than
  * the spacing. The same options give the same points on every machine.

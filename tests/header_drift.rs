@@ -7,7 +7,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// The chapters of the header in order: the files of `src/capi`.
-const CHAPTERS: [&str; 38] = [
+const CHAPTERS: [&str; 41] = [
     "status",
     "handle",
     "view",
@@ -29,6 +29,9 @@ const CHAPTERS: [&str; 38] = [
     "flow",
     "core",
     "flow_complex",
+    "pair",
+    "place",
+    "half_faces",
     "complex",
     "figure",
     "topology",

@@ -27,6 +27,7 @@
 #include <medax/medial.hpp>
 #include <medax/flow.hpp>
 #include <medax/flow_complex.hpp>
+#include <medax/pair.hpp>
 #include <medax/distance.hpp>
 #include <medax/balls.hpp>
 #include <medax/sample.hpp>

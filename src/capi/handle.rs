@@ -150,6 +150,16 @@ pub struct medax_balls {
     pub(super) balls: crate::distance::Balls,
 }
 
+/// A solid between an inner structure and its boundary.
+pub struct medax_pair {
+    pub(super) pair: crate::PairMesh,
+}
+
+/// Every face of every element of a pair-mesh, with its edges.
+pub struct medax_half_faces {
+    pub(super) half_faces: crate::pair::HalfFaces,
+}
+
 /// A type of which C holds counted references.
 ///
 /// Any number of threads may read a handle at once.
@@ -179,6 +189,8 @@ impl Handle for medax_all_nearest {}
 impl Handle for medax_field_axis {}
 impl Handle for medax_medial_graph {}
 impl Handle for medax_balls {}
+impl Handle for medax_pair {}
+impl Handle for medax_half_faces {}
 impl Handle for medax_flattened {}
 
 /// A new handle with one reference, which the caller owns.

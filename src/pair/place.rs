@@ -2,10 +2,10 @@
 
 use super::PairMesh;
 use crate::complex::{Hierarchy, Simplex};
-use crate::error::Result;
+use crate::error::{ElementKind, Result};
 use crate::index::NONE;
 use crate::job::{Job, PART, Room, Run, Stage};
-use crate::points::Bounds;
+use crate::points::{Bounds, check_coordinates};
 use crate::predicates::orient3d;
 use crate::vector::{Vec3, add, cross, dot, scale, sub};
 
@@ -31,7 +31,7 @@ impl Default for PairPlace {
 impl PairMesh {
     /// The place of each point; of several elements that share it the least. Which tetrahedron holds a point is decided exactly.
     ///
-    /// Errors: those of the job. Cost: O(size log size) for a hierarchy of boxes, then about O(log size) for each point: ask for many at once.
+    /// Errors: [`Status::NonFinite`](crate::Status::NonFinite) and [`Status::CoordinateRange`](crate::Status::CoordinateRange) with the row of a point; those of the job. Cost: O(size log size) for a hierarchy of boxes, then about O(log size) for each point: ask for many at once.
     pub fn locate(&self, points: &[Vec3], job: &Job) -> Result<Vec<PairPlace>> {
         job.run(&[(Stage::Query, 1.0)], |run| {
             run.enter(Stage::Query)?;
@@ -41,6 +41,9 @@ impl PairMesh {
 
     pub(crate) fn locate_in(&self, points: &[Vec3], run: &Run<'_>) -> Result<Vec<PairPlace>> {
         let mut room = Room::new(run);
+        for (row, &point) in (0..).zip(points) {
+            check_coordinates(point).map_err(|error| error.at(ElementKind::Row, row))?;
+        }
         let (hierarchy, pieces) = self.hierarchy(&mut room, run)?;
         let mut places = room.filled(points.len(), PairPlace::default())?;
         let chunks = places.chunks_mut(PART / 64).zip(points.chunks(PART / 64)).collect();
@@ -61,20 +64,6 @@ impl PairMesh {
             Ok(())
         })?;
         Ok(places)
-    }
-
-    /// How many elements hold each point, those that touch it included.
-    pub(super) fn count_holding(&self, points: &[Vec3], run: &Run<'_>) -> Result<Vec<u32>> {
-        let mut room = Room::new(run);
-        let (hierarchy, _) = self.hierarchy(&mut room, run)?;
-        let mut counts = room.filled(points.len(), 0)?;
-        for item in run.watch(counts.iter_mut().zip(points)) {
-            let (count, &point) = item?;
-            hierarchy.meeting(&Bounds { min: point, max: point }, |simplex| {
-                *count += u32::from(holds(&simplex.corners, point));
-            });
-        }
-        Ok(counts)
     }
 
     /// The point at a place.

@@ -11,6 +11,8 @@ medax::Triangulation triangulate_elsewhere(const medax::Points &points);
 void figures();
 /// distances.cpp
 void distances();
+/// pairs.cpp
+void pairs();
 
 namespace {
 
@@ -496,6 +498,7 @@ int main() {
     shapes();
     figures();
     distances();
+    pairs();
     threads();
     std::printf("%u passed, %u failed\n", passed, failed);
     return failed == 0 ? 0 : 1;

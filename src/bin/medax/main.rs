@@ -17,6 +17,7 @@ mod info;
 mod labels;
 mod medial;
 mod omit;
+mod pair;
 mod poles;
 mod progress;
 mod report;
@@ -34,7 +35,7 @@ use report::Report;
 use session::{Failure, Session};
 use std::process::ExitCode;
 
-/// Samples of a surface, meshes and plane figures in; triangulations, poles, power crusts, medial axes and cores out.
+/// Samples of a surface, meshes and plane figures in; triangulations, poles, power crusts, medial axes, cores and pair-meshes out.
 #[derive(Parser)]
 #[command(version, arg_required_else_help = true)]
 struct Arguments {
@@ -52,6 +53,7 @@ enum Command {
     Cocone(cocone::Options),
     Medial(Box<medial::Options>),
     Flow(Box<flow::Options>),
+    Pair(pair::Options),
     Field(Box<field::Options>),
     Union(union::Options),
     Info(info::Options),
@@ -70,6 +72,7 @@ impl Command {
             Command::Cocone(options) => cocone::run(options, session),
             Command::Medial(options) => medial::run(options, session),
             Command::Flow(options) => flow::run(options, session),
+            Command::Pair(options) => pair::run(options, session),
             Command::Field(options) => field::run(options, session),
             Command::Union(options) => union::run(options, session),
             Command::Info(options) => info::run(options, session),
