@@ -77,11 +77,18 @@ impl PairMesh {
         }
     }
 
-    /// The pair-mesh between the inner part of the Voronoi diagram and the surface between inner and outer cells (Shaham, Shamir, Cohen-Or, section 3).
+    /// The pair-mesh between the inner part of the Voronoi diagram and the surface between inner and outer cells (Shaham, Shamir, Cohen-Or, section 3). The dual must have its facets.
+    ///
+    /// It always succeeds, whatever the labels. Samples of which all cells are inner are removed, and the rest is triangulated anew. Voronoi vertices of cells that share a sphere are one. Where an element would be
+    /// folded, inner vertices are moved ([`PairMesh::voronoi_vertices`] tells whence), and facets with such a vertex are divided into triangles round one in their middle. The surface stays as it is.
+    ///
+    /// Errors: [`Status::Degenerate`] where no cell is inner; [`Status::InvalidArgument`] for a power diagram, or a dual without facets; [`Status::Mismatch`] for labels of another triangulation;
+    /// [`Status::LimitExceeded`] past 2^32 - 1 corners; those of the job. Cost: O(size of the dual), besides what is mended.
     pub fn voronoi(dual: &Arc<Dual>, labels: &Labels, job: &Job) -> Result<Self> {
         job.run(&[(Stage::Pair, 1.0)], |run| PairMesh::voronoi_in(dual, labels, run))
     }
 
+    /// [`PairMesh::voronoi`] as a stage of a larger build.
     pub(crate) fn voronoi_in(dual: &Arc<Dual>, labels: &Labels, run: &Run<'_>) -> Result<Self> {
         run.enter(Stage::Pair)?;
         if dual.triangulation().is_weighted() {
@@ -89,6 +96,10 @@ impl PairMesh {
                 Status::InvalidArgument,
                 "a pair-mesh needs the dual of a Delaunay triangulation, not of a regular one",
             ));
+        }
+        if dual.facets().is_none() {
+            let message = "the dual was made without its facets";
+            return Err(Error::new(Status::InvalidArgument, message));
         }
         labels.check_triangulation(dual.triangulation())?;
         let mut room = Room::new(run);

@@ -12,8 +12,8 @@ static const medax_pair *pair_of(const double *xyz, size_t count) {
     const medax_labels *labels = NULL;
     const medax_pair *pair = NULL;
     medax_dual_options options;
-    CHECK_STATUS(OK, medax_points_create(xyz, count, NULL, NULL, &points));
-    CHECK_STATUS(OK, medax_triangulation_delaunay(points, NULL, &t));
+    CHECK_STATUS(OK, medax_points_create_f64(xyz, count, 0, NULL, NULL, &points));
+    CHECK_STATUS(OK, medax_delaunay_build(points, NULL, NULL, &t));
     CHECK_STATUS(OK, medax_dual_options_init(&options, sizeof options));
     options.facets = 1;
     CHECK_STATUS(OK, medax_dual_build(t, &options, NULL, &dual));
@@ -35,7 +35,8 @@ static const medax_pair *pair_of(const double *xyz, size_t count) {
     CHECK_STATUS(OK, medax_labels_create(t, inner, cells, &outer));
     CHECK_STATUS(DEGENERATE, medax_pair_voronoi(dual, outer, NULL, &none));
     const medax_dual *bare = NULL;
-    CHECK_STATUS(OK, medax_dual_build(t, NULL, NULL, &bare));
+    options.facets = 0;
+    CHECK_STATUS(OK, medax_dual_build(t, &options, NULL, &bare));
     CHECK_STATUS(INVALID_ARGUMENT, medax_pair_voronoi(bare, labels, NULL, &none));
     CHECK(none == UNTOUCHED);
     free(inner);

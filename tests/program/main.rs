@@ -5,6 +5,7 @@
 mod axes;
 mod field;
 mod flow;
+mod pair;
 mod process;
 mod refusals;
 mod results;
