@@ -127,7 +127,7 @@ impl Cocone {
         let mut is_inner = peel::peel(t, &walls, &votes, &mut room, run)?;
         let parted = part::part(t, &incidence, &votes, &mut is_inner, &mut room, run)?;
         run.enter(Stage::Extract)?;
-        let boundary = surface::boundary(t, &is_inner, &mut room, run)?;
+        let boundary = t.boundary_of(&is_inner, &mut room, run)?;
         if boundary.is_empty() {
             return Err(Error::new(
                 Status::Degenerate,

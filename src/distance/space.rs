@@ -90,7 +90,7 @@ enum Fate {
     Nothing,
     Divided,
     /// A point in the cube, or, if there is none, one of the sphere outside the cube; where the boundary enters the sphere, for either of its sides.
-    Found(Cover, [Option<MedialPoint>; 2]),
+    Found(Cover, Vec<MedialPoint>),
 }
 
 pub(super) fn axis(
@@ -132,13 +132,12 @@ pub(super) fn axis(
         })?;
         let fates = cubes.iter().zip(fates.into_iter().flatten());
         if is_last {
-            let found = fates.filter_map(|(&place, fate)| match fate {
+            let found = fates.flat_map(|(&place, fate)| match fate {
                 Fate::Found(cover, points) => {
-                    Some(points.map(|point| Some((place, cover, point?))))
+                    points.into_iter().map(|point| (place, cover, point)).collect()
                 }
-                _ => None,
+                _ => Vec::new(),
             });
-            let found = found.flatten().flatten();
             return space.gathered(sites, &lattice, found.collect(), run);
         }
         let mut next = Vec::new();
@@ -210,7 +209,7 @@ impl Space<'_> {
             true if best != [None; 2] => {
                 let cover =
                     Cover { center, radius, half, gap: 0.0, distance, found: 1, missed_angle: PI };
-                Fate::Found(cover, best)
+                Fate::Found(cover, best.into_iter().flatten().collect())
             }
             _ => Fate::Nothing,
         }

@@ -1,6 +1,6 @@
 //! The parts of the Voronoi diagram inside a solid, and those of its surface: what elements are made of.
 
-use super::solid::{Solid, surface};
+use super::solid::Solid;
 use crate::complex::{DisjointSets, Rows};
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
@@ -71,7 +71,7 @@ impl Parts {
                 fans.push(fan)?;
             }
         }
-        let surface = surface(t, &solid.is_inner, room, run)?;
+        let surface = t.boundary_of(&solid.is_inner, room, run)?;
         let triangles = room.collect(surface.iter().map(|&[cell, i]| t.facet(cell, i as usize)))?;
         let behind = room.collect(surface.iter().map(|&[cell, _]| number[cell as usize]))?;
         let sphere = spheres(t, &cells, &number, room, run)?;

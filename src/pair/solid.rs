@@ -31,7 +31,7 @@ impl Solid {
     ) -> Result<Self> {
         let t = dual.triangulation();
         let is_inner = labels.is_inner();
-        let surface = surface(t, is_inner, room, run)?;
+        let surface = t.boundary_of(is_inner, room, run)?;
         if surface.is_empty() {
             return Err(Error::new(Status::Degenerate, "no cell of the triangulation is inner"));
         }
@@ -75,25 +75,6 @@ impl Solid {
         let sample = room.collect(rest.triangulation().points().row_of_vertex().iter().copied())?;
         Ok(Solid { dual: rest, is_inner, sample, removed })
     }
-}
-
-/// The facets between inner cells and others, as the inner cell and the facet's number, ascending.
-pub(super) fn surface(
-    t: &Triangulation,
-    is_inner: &[bool],
-    room: &mut Room<'_>,
-    run: &Run<'_>,
-) -> Result<Vec<[u32; 2]>> {
-    let mut surface = Vec::new();
-    for cell in run.watch(0..is_inner.len()) {
-        let cell = cell?;
-        for (&next, i) in t.neighbors()[cell].iter().zip(0..) {
-            if is_inner[cell] && (next == NONE || !is_inner[next as usize]) {
-                room.push(&mut surface, [cell as u32, i])?;
-            }
-        }
-    }
-    Ok(surface)
 }
 
 /// The same turn of three vertices, the least first.

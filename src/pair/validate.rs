@@ -8,11 +8,11 @@ use crate::validation::Validation;
 use crate::vector::{cross, dot, sub};
 
 /// What a folded element's volume may be, as a share of the solid's: a fold by rounding.
-pub const SLIVER: f64 = 1e-12;
+const SLIVER: f64 = 1e-12;
 
 impl PairMesh {
     /// Checks that the elements are a partition of the solid: their sides meet in pairs, the other way round; both pyramids of a face have it as their base; no element is folded whose volume is more than
-    /// [`SLIVER`] of the solid's; the volumes sum up to what the boundary encloses, to 1e-9 of it. Since no element is folded and the boundary is covered once, each point of the solid is in one element.
+    /// 1e-12 of the solid's; the volumes sum up to what the boundary encloses, to 1e-9 of it. Since no element is folded and the boundary is covered once, each point of the solid is in one element.
     ///
     /// Errors: those of the job. Cost: O(size).
     pub fn validate(&self, job: &Job) -> Result<Validation> {

@@ -10,6 +10,7 @@
 //! Devillers and Teillaud 2011 on the lexicographic order of coordinates, so that the cells are a
 //! function of the set of weighted points.
 
+mod boundary;
 mod build;
 mod canonical;
 mod cavity;

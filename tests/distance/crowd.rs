@@ -85,7 +85,7 @@ fn what_is_equally_far_is_told_apart() {
             [outer.clone()].into_iter().chain(holes).collect()
         };
         let at = |[x, y]: [f64; 2]| [x + 1.0, y + 1.0, 0.0];
-        let alone = rings(&[outer.clone()]);
+        let alone = rings(std::slice::from_ref(&outer));
         let (kind, sites) = match round % 6 {
             0 => ("squares", sites(rings(&holes(&square)), vec![])),
             1 => ("triangles", sites(rings(&holes(&triangle)), vec![])),
