@@ -178,7 +178,8 @@ impl Sites {
             return Err(Error::new(Status::InvalidArgument, message));
         }
         let or = |x: f64, share: f64| if x > 0.0 { x } else { share * self.size() };
-        Ok(Search { sites: self, tolerance: or(tolerance, 1e-9), epsilon: or(epsilon, 1e-6) })
+        let (tolerance, epsilon) = (or(tolerance, 1e-9), or(epsilon, 1e-6));
+        Ok(Search { sites: self, tolerance, epsilon, blur: 0.0 })
     }
 }
 

@@ -33,6 +33,8 @@ pub(super) struct Search<'a> {
     pub tolerance: f64,
     /// How far a point may be from the medial axis.
     pub epsilon: f64,
+    /// Two points of the boundary that a ball of radius 1 touches, and that are no farther apart than this, are the same.
+    pub blur: f64,
 }
 
 impl Search<'_> {
@@ -40,6 +42,12 @@ impl Search<'_> {
     pub fn is_same(&self, a: Vec3, b: Vec3) -> bool {
         let way = sub(a, b);
         dot(way, way) <= self.tolerance * self.tolerance
+    }
+
+    /// Whether a ball of this radius, as far as can be told, touches two points.
+    fn are_two(&self, a: &Foot, b: &Foot, radius: f64) -> bool {
+        let (way, blur) = (sub(a.point, b.point), self.blur * radius);
+        dot(way, way) > blur * blur && !self.is_same(a.point, b.point)
     }
 
     /// The first point of the medial axis on a ray from a point of the boundary, between two distances from it; at the first one this point must be the nearest one. `None` if it still
@@ -54,7 +62,7 @@ impl Search<'_> {
         for step in 0..STEPS {
             let center = at(high);
             let nearest = self.sites.foot_within(center, high);
-            let Some(b) = nearest.filter(|b| !self.is_same(a.point, b.point)) else {
+            let Some(b) = nearest.filter(|b| self.are_two(a, b, high)) else {
                 // Nothing but the point itself is as near: the ball that touches the other one is the one.
                 return other.map(|b| self.touching(a, &b, center, high));
             };
@@ -75,7 +83,7 @@ impl Search<'_> {
             if step > EAGER && shrunk < 0.25 * (high - low) {
                 let middle = 0.5 * (low + high);
                 let nearest = self.sites.foot_within(at(middle), middle);
-                match nearest.filter(|b| !self.is_same(a.point, b.point)) {
+                match nearest.filter(|b| self.are_two(a, b, middle)) {
                     Some(b) => {
                         other = Some(b);
                         high = middle;

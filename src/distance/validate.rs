@@ -97,7 +97,9 @@ impl FieldAxis {
             let least = (cover.distance - reach).max(self.options.min_distance);
             let bound = largest_missed_angle(gap, radius, least).unwrap_or(PI);
             let claim = cover.missed_angle;
-            let slack = ANGLE_EPSILON + 4.0 * blur(center) / least;
+            // The distance from the boundary is that of rounded coordinates, and so is the radius.
+            let room = least.min(radius).min(radius - 0.5 * gap);
+            let slack = ANGLE_EPSILON + 64.0 * blur(center) / room;
             // What was looked at are more points than were asked for: so the bound may be less than the claim.
             let right = match found {
                 0 => claim >= bound - slack && (claim == PI || claim <= self.options.bound),

@@ -4,6 +4,7 @@ use crate::shapes::{Random, polygon, rectangle, rings, star};
 use medax::Job;
 use medax::distance::{GraphOptions, MedialGraph, Piece, Sites};
 use medax::medial::Side;
+use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
 /// Closed curves, then what is not closed.
@@ -85,6 +86,8 @@ fn what_is_equally_far_is_told_apart() {
             [outer.clone()].into_iter().chain(holes).collect()
         };
         let at = |[x, y]: [f64; 2]| [x + 1.0, y + 1.0, 0.0];
+        let turn = [0.0, PI / 6.0, PI / 4.0, TAU * random.unit()][round / 6 % 4];
+        let jitter = [0.0, 0.0, 1e-9, 1e-3][round / 24 % 4];
         let alone = rings(std::slice::from_ref(&outer));
         let (kind, sites) = match round % 6 {
             0 => ("squares", sites(rings(&holes(&square)), vec![])),
@@ -109,7 +112,98 @@ fn what_is_equally_far_is_told_apart() {
                 ("slits", sites(alone, slits))
             }
         };
-        assert_eq!(found(&sites, Side::Inner), ([1, count as u64], 0), "{kind} {places:?}");
+        let sites = moved_pieces(&sites, |[x, y, _]| {
+            let (x, y) = (x + jitter * random.unit(), y + jitter * random.unit());
+            [x * turn.cos() - y * turn.sin(), x * turn.sin() + y * turn.cos(), 0.0]
+        });
+        let context = || format!("{kind} {places:?} turned by {turn}, jitter {jitter}");
+        assert_eq!(found(&sites, Side::Inner), ([1, count as u64], 0), "{}", context());
+    }
+}
+
+/// The same pieces with their points elsewhere, ends of segments that are one again one.
+fn moved_pieces(sites: &Sites, mut to: impl FnMut([f64; 3]) -> [f64; 3]) -> Arc<Sites> {
+    let mut known: Vec<([f64; 3], [f64; 3])> = Vec::new();
+    let mut at = |p: [f64; 3]| match known.iter().find(|(from, _)| *from == p) {
+        Some((_, to)) => *to,
+        None => {
+            known.push((p, to(p)));
+            known[known.len() - 1].1
+        }
+    };
+    let is_closed = |piece: &Piece| !matches!(piece, Piece::Point(_));
+    let pieces: Vec<Piece> = sites
+        .pieces()
+        .iter()
+        .map(|&piece| match piece {
+            Piece::Segment(ends) => Piece::Segment(ends.map(&mut at)),
+            Piece::Sphere(center, radius) => Piece::Sphere(at(center), radius),
+            Piece::Point(p) => Piece::Point(at(p)),
+            other => other,
+        })
+        .collect();
+    // A slit has an end of one segment alone.
+    let ends = |p: [f64; 3]| {
+        let has = |piece: &Piece| matches!(piece, Piece::Segment(ends) if ends.contains(&p));
+        pieces.iter().filter(|piece| has(piece)).count()
+    };
+    let closed = pieces.iter().map(|piece| match piece {
+        Piece::Segment([a, b]) => ends(*a) > 1 && ends(*b) > 1,
+        piece => is_closed(piece),
+    });
+    let closed = closed.collect();
+    let count = pieces.len();
+    let sites = Sites::new(2, pieces.clone(), vec![0; count], &Job::default()).unwrap();
+    Arc::new(sites.with_closed(closed).unwrap())
+}
+
+/// Vertices that are straight, or nearly, and polylines that share an end.
+#[test]
+fn straight_vertices_and_joints_change_no_topology() {
+    let mut random = Random(17);
+    for round in 0..200 {
+        let jitter = [0.0, 1e-15, 1e-12, 1e-9, 1e-3][round % 5];
+        let turn = TAU * random.unit();
+        let mut at = |x: f64, y: f64| {
+            let (x, y) = (x + jitter * random.unit(), y + jitter * random.unit());
+            [x * turn.cos() - y * turn.sin(), x * turn.sin() + y * turn.cos()]
+        };
+        let mut outer = Vec::new();
+        for (i, x) in (0..4).flat_map(|i| (0..4).map(move |x| (i, f64::from(x) / 4.0))) {
+            let (u, v) = (10.0 * x, 0.0);
+            outer.push(match i {
+                0 => at(u, v),
+                1 => at(10.0, u),
+                2 => at(10.0 - u, 10.0),
+                _ => at(0.0, 10.0 - u),
+            });
+        }
+        let slit: Vec<[f64; 2]> = (0..5).map(|i| at(2.0 + 0.5 * f64::from(i), 3.0)).collect();
+        let joint = at(6.0, 6.0);
+        let ends = [at(8.0, 6.0), at(5.0, 8.0), at(5.5, 4.0), at(7.0, 8.5)];
+        let flat = |[x, y]: [f64; 2]| [x, y, 0.0];
+        let slit = slit.windows(2).map(|ends| Piece::Segment([flat(ends[0]), flat(ends[1])]));
+        let arms =
+            ends[..round % 4 + 1].iter().map(|&end| Piece::Segment([flat(joint), flat(end)]));
+        let sites = sites(rings(&[outer]), slit.chain(arms).collect());
+        let context = || format!("jitter {jitter}, turned by {turn}, {} arms", round % 4 + 1);
+        assert_eq!(found(&sites, Side::Inner), ([1, 2], 0), "{}", context());
+    }
+}
+
+/// Two points next to each other, and one far off: where balls that touch both barely touch a third.
+#[test]
+fn points_close_together_are_told_apart() {
+    let mut random = Random(19);
+    for round in 0..200 {
+        let apart = 10f64.powi(-1 - (round % 5));
+        let mut coordinate = || 1.0 + 8.0 * random.unit();
+        let (x, y) = (coordinate(), coordinate());
+        let turn = coordinate();
+        let pair = [[x, y, 0.0], [x + apart * turn.cos(), y + apart * turn.sin(), 0.0]];
+        let outer = vec![[0.0, 0.3], [10.0, 0.0], [9.5, 10.0], [0.2, 9.0]];
+        let sites = sites(rings(&[outer]), pair.map(Piece::Point).to_vec());
+        assert_eq!(found(&sites, Side::Inner), ([1, 2], 0), "{pair:?}");
     }
 }
 

@@ -293,7 +293,7 @@ impl Options {
         if graph.torn() > 0 {
             let torn = graph.torn();
             session.warn(&format!(
-                "{torn} sides of arcs have no other side that agrees: the graph may be wrong where parts are apart by next to nothing"
+                "{torn} sides of arcs have no other side that agrees: the graph may be wrong where parts are apart by next to nothing, or vertices nearly straight"
             ));
         }
         Ok(complex)

@@ -14,7 +14,7 @@ const BATCH: usize = 32;
 /// How often an interval is divided at most.
 const DEPTH: usize = 100;
 /// An interval this short holds a change and nothing else.
-const SHORT: f64 = 1e-13;
+const SHORT: f64 = 1e-10;
 /// How often intervals without any ball are divided in search of one.
 const BLIND: usize = 3;
 
@@ -147,7 +147,7 @@ impl Envelope<'_> {
         if let Some((meeting, radius)) = between {
             let met = self.touch(feature, meeting);
             if let Some(point) = met.map(|touch| touch.point)
-                && (point.radius - radius).abs() <= 1e-12 * radius
+                && (point.radius - radius).abs() <= 1e-9 * radius
                 && [before, after].iter().all(|&other| self.touches(&point, other))
             {
                 breaks.push(Break { u: meeting, center: point.center, radius: point.radius });
@@ -171,7 +171,7 @@ impl Envelope<'_> {
     fn touches(&self, ball: &MedialPoint, other: Option<(u32, f64)>) -> bool {
         other.is_some_and(|(other, _)| {
             let distance = self.walks.features[other as usize].distance(ball.center);
-            distance <= ball.radius * (1.0 + 1e-10)
+            distance <= ball.radius * (1.0 + 1e-9)
         })
     }
 

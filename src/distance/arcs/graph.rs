@@ -6,7 +6,7 @@ use super::sides::{ArcSide, Node, Position};
 use super::walk::Walks;
 use crate::complex::{Attribute, Complex, ComplexParts, Element, Values};
 use crate::distance::decide::DecideOptions;
-use crate::distance::locate::MedialPoint;
+use crate::distance::locate::{MedialPoint, Search};
 use crate::distance::pairs::SitePairs;
 use crate::distance::sites::Sites;
 use crate::error::{Error, Result, Status};
@@ -119,7 +119,9 @@ impl MedialGraph {
         let walks = Walks::new(sites, &mut room, run)?;
         let size = sites.size();
         let exact = DecideOptions { tolerance: 1e-13 * size, epsilon: 1e-15 * size };
-        let envelope = Envelope { search: sites.search(exact)?, walks: &walks, rim, run };
+        // What is seen under so small an angle is nearer or farther by rounding.
+        let search = Search { blur: 1e-7, ..sites.search(exact)? };
+        let envelope = Envelope { search, walks: &walks, rim, run };
         let found = envelope.arc_sides(1e-9 * size, &mut room)?;
         let maker = Maker { envelope, options, pairs, spacing, nodes: &found.nodes, sites };
         let chosen = maker.on_side((0..).zip(&found.sides).collect(), run)?;
@@ -158,7 +160,7 @@ impl MedialGraph {
         &self.arcs
     }
 
-    /// How many sides of arcs have no other side that agrees with them: 0 but for figures whose parts are apart by next to nothing beside their size.
+    /// How many sides of arcs have no other side that agrees with them: 0 but for figures with parts that are apart by less than a millionth of their size, or with vertices that are nearly straight.
     pub fn torn(&self) -> usize {
         self.torn
     }

@@ -9,6 +9,8 @@ use crate::vector::{Vec3, dot, sub};
 
 /// How often breaks are sought again where the two sides of arcs do not agree.
 const ROUNDS: usize = 12;
+/// How far apart both sides of an arc may see its ends, as a share of the size: where a ball barely touches, rounding moves it along the arc.
+const NEAR: f64 = 1e-5;
 
 /// Where arcs meet or end.
 #[derive(Clone, Copy, Debug)]
@@ -73,6 +75,7 @@ impl Envelope<'_> {
                 }
             }
             if changed.is_empty() || round == ROUNDS {
+                unite(&mut found, room, run)?;
                 return Ok(found);
             }
             changed.sort_unstable();
@@ -194,7 +197,9 @@ impl Envelope<'_> {
         let mut new = Vec::new();
         for (i, touch) in middles.iter().enumerate() {
             let partner = partners[i];
-            let agrees = partner != NONE && partners[partner as usize] == i as u32;
+            let agrees = partner != NONE
+                && partners[partner as usize] == i as u32
+                && self.has_ends_of(found, [i, partner as usize]);
             (found.sides[i].partner, found.sides[i].agrees) = (partner, agrees);
             if !agrees {
                 new.push(touch.opposite);
@@ -205,9 +210,32 @@ impl Envelope<'_> {
                     let (feature, u) = self.unwound(self.walk_of(side), middle);
                     (feature as u32, u)
                 }));
+                // What is opposite may see the ends of the arc, and something else between them.
+                let opposite = touch.opposite.0;
+                let ends = found.sides[i].nodes.into_iter().filter(|&node| node != NONE);
+                let feature = &self.walks.features[opposite as usize];
+                let ends: Vec<f64> =
+                    ends.map(|n| feature.number(found.nodes[n as usize].center)).collect();
+                let middle = 0.5 * ends.iter().sum::<f64>();
+                let between = [middle, (middle + 0.5).rem_euclid(1.0)];
+                new.extend(ends.into_iter().chain(between).map(|u| (opposite, u)));
             }
         }
         Ok(new)
+    }
+
+    /// Whether a side ends where another one begins, and begins where that ends: so both see all of one arc.
+    fn has_ends_of(&self, found: &ArcSides, [i, j]: [usize; 2]) -> bool {
+        let ([a, b], [d, c]) = (found.sides[i].nodes, found.sides[j].nodes);
+        let near = NEAR * self.search.sites.size();
+        [[a, c], [b, d]].iter().all(|&[p, q]| match p == NONE || q == NONE {
+            true => p == q,
+            false => {
+                let [p, q] = [p, q].map(|node| found.nodes[node as usize].center);
+                let way = sub(p, q);
+                dot(way, way) <= near * near
+            }
+        })
     }
 
     /// The walk of a side.
@@ -237,6 +265,27 @@ impl Envelope<'_> {
     }
 }
 
+/// Makes one node of those at which both sides of an arc end.
+fn unite(found: &mut ArcSides, room: &mut Room<'_>, run: &Run<'_>) -> Result<()> {
+    let mut sets = DisjointSets::new(found.nodes.len(), run)?;
+    for side in run.watch(found.sides.iter().filter(|side| side.agrees)) {
+        let side = side?;
+        let other = found.sides[side.partner as usize].nodes;
+        if side.nodes[0] != NONE {
+            sets.join(side.nodes[0], other[1]);
+            sets.join(side.nodes[1], other[0]);
+        }
+    }
+    let mut node_of = room.vec(found.nodes.len())?;
+    node_of.extend((0..found.nodes.len() as u32).map(|node| sets.root(node)));
+    for node in found.sides.iter_mut().flat_map(|side| &mut side.nodes) {
+        if *node != NONE {
+            *node = node_of[*node as usize];
+        }
+    }
+    Ok(())
+}
+
 /// Spots that are no farther apart than a tolerance become one node, that of the first; gives for each its node.
 fn clustered(
     spots: &[Node],
@@ -253,7 +302,9 @@ fn clustered(
         let p = at(order[place]);
         for &other in order[place + 1..].iter().take_while(|&&j| at(j)[0] - p[0] <= tolerance) {
             let way = sub(at(other), p);
-            if dot(way, way) <= tolerance * tolerance {
+            // Corners of several sectors at one point are apart: the boundary is between them.
+            let are_corners = [order[place], other].map(|i| spots[i as usize].radius) == [0.0; 2];
+            if dot(way, way) <= tolerance * tolerance && !are_corners {
                 sets.join(order[place], other);
             }
         }

@@ -9,8 +9,8 @@ use crate::vector::{Vec3, cross, dot, sub};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::ops::Range;
 
-/// A corner less than this from straight is none.
-const STRAIGHT: f64 = 1e-12;
+/// A corner less than this from straight is none: the arc that ends in it has as small an object angle, which rounding hides.
+const STRAIGHT: f64 = 2e-7;
 /// A point that is nearer than this share of the size to a circle is a point of it.
 const ON_CIRCLE: f64 = 1e-15;
 
