@@ -7068,8 +7068,8 @@ MEDAX_API
 medax_view_rows medax_medial_graph_arcs(const medax_medial_graph *graph);
 
 /**
- * How many sides of arcs have no other side that agrees with them: 0 but for figures whose parts are apart by next to nothing beside their
- * size.
+ * How many sides of arcs have no other side that agrees with them: 0 but for figures with parts that are apart by less than a millionth of their
+ * size, or with vertices that are nearly straight.
  *
  * \param graph The graph; NULL has none.
  * \return How many.
