@@ -9,7 +9,7 @@ COUNTED := --features count-stages --test predicates
 HOST = $(shell rustc -vV | sed -n 's/^host: //p')
 CONFIGURE := cmake -S . -B $(BUILD)/medax
 
-.PHONY: help demo test test-rust test-package bench bench-peers bench-nearest peers results medial flow field figure3 three-lines convergence stress tsan header doc install clean
+.PHONY: help demo test test-rust test-package bench bench-peers bench-nearest peers results medial flow pair field figure3 three-lines convergence stress tsan header doc install clean
 .DEFAULT_GOAL := help
 
 help:
@@ -21,6 +21,7 @@ help:
 	@echo 'make results           power crusts of real models against what is known of them: docs/results.md'
 	@echo 'make medial            medial axes of real models, tables and pictures: docs/medial.md; needs pyvista'
 	@echo 'make flow              cores of real models and smooth shapes, tables and pictures: docs/flow.md; needs pyvista'
+	@echo 'make pair              pair-meshes of real models and shapes, a table and pictures: docs/pair.md; needs pyvista'
 	@echo 'make field             axes of meshes and figures by the gradient of the distance, tables and pictures: docs/field.md; needs pyvista'
 	@echo 'make figure3           seconds against the number of samples, to 4,000,000: docs/scaling.md; takes 14 GB'
 	@echo 'make convergence       medial axes against exact ones where samples grow dense: docs/convergence.md'
@@ -101,6 +102,10 @@ flow:
 	cargo build --release --locked
 	python3 benches/flow.py target/release/medax $(MODELS) docs
 	python3 benches/cores.py target/release/medax $(MODELS) docs/cores.png
+
+pair:
+	cargo build --release --locked
+	python3 benches/pair.py target/release/medax $(MODELS) docs
 
 three-lines:
 	cargo run --release --locked --example three_lines -- target/xy.ply target/yz.ply target/xz.ply

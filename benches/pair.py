@@ -13,12 +13,13 @@ import subprocess
 import sys
 import tempfile
 
+import numpy
 import pyvista
 
 MODELS = ["3holes.off", "rocker-arm.obj", "mannequin.off", "foot.off", "kitten.xyz", "igea.ply", "refined_elephant.off", "fandisk.off", "abc_plate_00000329.obj", "ant.off", "cavity_and_ring.off", "hotdogs.pts", "knot.pts", "octopus.off", "stanford-bunny.obj"]
-SHAPES = ["ellipsoid", "torus", "genus3", "trefoil", "hollow", "capsule", "box", "bracket"]
+SHAPES = ["ellipsoid", "torus", "genus3", "trefoil", "sphere", "capsule", "box", "bracket"]
 # What is drawn: the shapes of the paper's figures, as far as there are such.
-DRAWN = [("ball", (1, 0.6, 0.4)), ("cylinder", (1, 0.4, 0.4)), ("wheel", (0.5, -0.5, 1)), ("cube", (1, 0.7, 0.5)), ("mannequin", (0.6, 0.3, 1))]
+DRAWN = [("ball", (1, 0.6, 0.4), (0, 1, 0)), ("cylinder", (1, 0.4, 0.4), (0, 1, 0)), ("wheel", (0.5, -0.5, 1), (0, 1, 0)), ("cube", (1, 0.7, 0.5), (0, 1, 0)), ("mannequin", (1, -1, 0.2), (0, 0, 1))]
 TIMES = [0.001, 0.1, 0.3, 0.5, 0.75, 1]
 
 
@@ -50,7 +51,7 @@ def table(medax, data, folder, add):
     add("")
 
 
-def mesh_of(name, data):
+def mesh_of(name):
     """A mesh of a shape of the paper, from which samples are taken."""
     if name == "ball":
         return pyvista.Sphere(radius=1, theta_resolution=60, phi_resolution=60)
@@ -59,9 +60,6 @@ def mesh_of(name, data):
     if name == "cube":
         return pyvista.Cube().triangulate()
     if name == "wheel":
-        import numpy
-
-        rim = pyvista.ParametricTorus(ringradius=1, crosssectionradius=0.15)
         x, y, z = numpy.meshgrid(*(numpy.linspace(-1.3, 1.3, 131),) * 2, numpy.linspace(-0.25, 0.25, 31), indexing="ij")
         value = 0.15 - numpy.hypot(numpy.hypot(x, y) - 1, z)
         value = numpy.maximum(value, numpy.minimum(0.25 - numpy.hypot(x, y), 0.15 - abs(z)))
@@ -69,7 +67,6 @@ def mesh_of(name, data):
             a = numpy.pi * k / 3
             along, across = x * numpy.cos(a) + y * numpy.sin(a), y * numpy.cos(a) - x * numpy.sin(a)
             value = numpy.maximum(value, numpy.minimum(0.08 - numpy.hypot(across, z), numpy.minimum(along, 1 - along)))
-        del rim
         grid = pyvista.ImageData(dimensions=x.shape, spacing=(2.6 / 130, 2.6 / 130, 0.5 / 30), origin=(-1.3, -1.3, -0.25))
         grid["value"] = value.ravel(order="F")
         return grid.contour([0], scalars="value").triangulate().clean()
@@ -78,8 +75,8 @@ def mesh_of(name, data):
 
 def picture(medax, data, folder, file):
     plotter = pyvista.Plotter(shape=(len(DRAWN), len(TIMES)), off_screen=True, window_size=(220 * len(TIMES), 220 * len(DRAWN)), border=False)
-    for row, (name, view) in enumerate(DRAWN):
-        mesh = mesh_of(name, data)
+    for row, (name, view, up) in enumerate(DRAWN):
+        mesh = mesh_of(name)
         source = data / "mannequin.off"
         if mesh is not None:
             source = folder / "samples.ply"
@@ -92,8 +89,8 @@ def picture(medax, data, folder, file):
         for column, t in enumerate(TIMES):
             surface = pyvista.read(folder / f"iso-{t}.ply")
             plotter.subplot(row, column)
-            plotter.add_mesh(surface, color="lightsteelblue", show_edges=True, line_width=0.5)
-            plotter.view_vector(view, viewup=(0, 1, 0))
+            plotter.add_mesh(surface, color="lightsteelblue", show_edges=True, edge_opacity=0.2, line_width=0.5)
+            plotter.view_vector(view, viewup=up)
             plotter.add_text(f"t = {t}" if row == 0 else "", font_size=9, color="black")
     plotter.screenshot(file)
 
