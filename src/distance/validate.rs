@@ -98,7 +98,7 @@ impl FieldAxis {
             let bound = largest_missed_angle(gap, radius, least).unwrap_or(PI);
             let claim = cover.missed_angle;
             // The distance from the boundary is that of rounded coordinates, and so is the radius.
-            let room = least.min(radius).min(radius - 0.5 * gap);
+            let room = least.min(radius);
             let slack = ANGLE_EPSILON + 64.0 * blur(center) / room;
             // What was looked at are more points than were asked for: so the bound may be less than the claim.
             let right = match found {
