@@ -209,6 +209,11 @@ FIELD(medax_core_report, unbounded, 40);
 SIZE(medax_flow_element, 8);
 FIELD(medax_flow_element, kind, 0);
 FIELD(medax_flow_element, number, 4);
+SIZE(medax_place, 48);
+FIELD(medax_place, element, 0);
+FIELD(medax_place, piece, 4);
+FIELD(medax_place, weights, 8);
+FIELD(medax_place, t, 40);
 
 SIZE(medax_topology, 144);
 FIELD(medax_topology, struct_size, 0);
