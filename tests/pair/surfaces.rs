@@ -15,7 +15,7 @@ fn every_surface_is_closed_oriented_and_of_the_genus_of_the_boundary() {
     let ellipsoid: Vec<[f64; 3]> =
         sphere(400, &mut random).iter().map(|p| [p[0], 0.8 * p[1], 0.6 * p[2]]).collect();
     for (mesh, genus) in
-        [(mesh(&ellipsoid, |_| true), 0), (mesh(&torus(3000, &mut random), is_in_torus), 1)]
+        [(mesh(&ellipsoid, |_| true), 0), (mesh(&torus(1200, &mut random), is_in_torus), 1)]
     {
         let volumes = mesh.volumes(&job).unwrap();
         for t in TIMES {
@@ -41,7 +41,7 @@ fn every_surface_is_closed_oriented_and_of_the_genus_of_the_boundary() {
 #[test]
 fn faces_are_planar_and_convex() {
     let mut random = Random(2);
-    let mesh = mesh(&torus(3000, &mut random), is_in_torus);
+    let mesh = mesh(&torus(1200, &mut random), is_in_torus);
     for t in TIMES {
         let surface = mesh.iso_surface(t, &Job::default()).unwrap();
         for (i, face) in surface.faces().iter().enumerate() {
