@@ -127,7 +127,7 @@ impl FieldAxis {
 
 impl MedialGraph {
     /// Checks that the balls of all points are free of the boundary and touch it; that points which are no nodes have their feet on their pieces, at their radius, and seen under their object
-    /// angle; and that arcs have nodes at their ends only, nodes arcs, and other points one place on one arc. Errors: those of the job. Cost: some queries for each point.
+    /// angle; and that arcs have nodes at their ends only, nodes arcs, unless they are centres of discs, and other points one place on one arc. Errors: those of the job. Cost: some queries for each point.
     pub fn validate(&self, job: &Job) -> Result<Validation> {
         job.run(&[(Stage::Validate, 1.0)], |run| {
             run.enter(Stage::Validate)?;
