@@ -97,13 +97,12 @@ fn half_faces_lead_round_edges_and_through_the_solid() {
         }
         assert_eq!(its.dual[dual as usize], face);
         assert_ne!(its.element(dual), its.element(face));
-        let (mut own, mut other) = (corners(face), corners(dual));
+        let (own, mut other) = (corners(face), corners(dual));
         other.reverse();
         // The same ring, wherever it begins.
         let first = other.iter().position(|&v| v == own[0]).unwrap();
         other.rotate_left(first);
         assert_eq!(own, other);
-        own.clear();
     }
     assert_eq!(on_boundary, mesh.counts()[2]);
     let mut steps_round = 0;
