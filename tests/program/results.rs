@@ -21,6 +21,7 @@ fn every_command_answers_with_the_schema() {
         ("crust torus.ply -o crust.off --shape axis.vtu --poles balls.ma", "crust"),
         ("cocone torus.ply -o cocone.ply", "cocone"),
         ("medial torus.ply -o medial.ply", "medial"),
+        ("pair torus.ply -o solid.vtu", "pair"),
         ("info torus.ply", "info"),
         ("info crust.ply", "info"),
         ("compare torus.ply crust.ply --samples 100", "compare"),
@@ -76,6 +77,7 @@ fn every_command_answers_with_the_schema() {
         "normals.ply",
         "poles.ply",
         "small.ply",
+        "solid.vtu",
         "torus.ply",
         "winding.ply",
     ];
