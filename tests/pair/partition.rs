@@ -161,42 +161,6 @@ fn elements_are_as_many_as_the_paper_says() {
 }
 
 #[test]
-fn no_point_is_in_two_elements() {
-    let mut random = Random(5);
-    let mesh = mesh(&torus(1000, &mut random), is_in_torus);
-    let mut tetrahedra = Vec::new();
-    for element in 0..mesh.element_count() as u32 {
-        for piece in 0..mesh.piece_count(element) {
-            let corners = mesh.piece(element, piece).map(|v| mesh.place_of(v));
-            tetrahedra.push((element, corners));
-        }
-    }
-    let points: Vec<[f64; 3]> = (0..2000)
-        .map(|_| random.point().map(|x| 3.0 * x - 1.5))
-        .map(|[x, y, z]| [x, y, 0.3 * z])
-        .collect();
-    let places = mesh.locate(&points, &Job::default()).unwrap();
-    let mut inside = 0;
-    for (&p, place) in points.iter().zip(&places) {
-        let volume = |[a, b, c, d]: [[f64; 3]; 4]| {
-            let [u, v, w] = [b, c, d].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
-            u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0])
-                + u[2] * (v[0] * w[1] - v[1] * w[0])
-        };
-        let holds = |[a, b, c, d]: [[f64; 3]; 4]| {
-            let parts = [[p, b, c, d], [a, p, c, d], [a, b, p, d], [a, b, c, p]];
-            parts.into_iter().all(|part| volume(part) > 0.0)
-        };
-        let holders: Vec<u32> =
-            tetrahedra.iter().filter(|(_, corners)| holds(*corners)).map(|(e, _)| *e).collect();
-        assert!(holders.len() <= 1, "{p:?} {holders:?}");
-        assert_eq!(holders.first().copied().unwrap_or(NONE), place.element, "{p:?}");
-        inside += holders.len();
-    }
-    assert!(inside > 150);
-}
-
-#[test]
 fn the_bytes_are_the_same_whatever_the_threads_and_the_order() {
     let mut random = Random(6);
     let mut rows = torus(1000, &mut random);
