@@ -1,6 +1,7 @@
 //! Pair-meshes.
 
 mod exact;
+mod models;
 mod partition;
 mod points;
 mod shapes;

@@ -22,9 +22,12 @@ impl Random {
 }
 
 pub fn dual(rows: &[[f64; 3]]) -> Arc<Dual> {
+    dual_of(Points::new(rows, Default::default(), &Job::default()).unwrap())
+}
+
+pub fn dual_of(points: Points) -> Arc<Dual> {
     let job = Job::default();
-    let points = Arc::new(Points::new(rows, Default::default(), &job).unwrap());
-    let triangulation = Arc::new(Triangulation::delaunay(&points, &job).unwrap());
+    let triangulation = Arc::new(Triangulation::delaunay(&Arc::new(points), &job).unwrap());
     Arc::new(Dual::new(&triangulation, DualOptions { facets: true }, &job).unwrap())
 }
 
