@@ -67,6 +67,25 @@ struct Axis {
 // for it.
 Axis medial(const std::vector<Point>& points, const std::vector<Point>& directions, double theta, double rho);
 
+// What CGAL::Surface_mesh makes of triangles.
+struct Surface {
+    bool oriented_manifold = false;  // if not, the rest is empty
+    bool closed = false;
+    double volume = 0;
+    long euler_characteristic = 0;
+    // Pairs of triangles that meet anywhere but in what they share; twice the same one where it has no area.
+    std::vector<std::array<std::uint32_t, 2>> meeting;
+};
+Surface surface(const std::vector<Point>& points, const std::vector<std::array<std::uint32_t, 3>>& triangles);
+
+// A point on the way between two others, by a number from 0 to 1: not rounded.
+struct Between {
+    Point from, to;
+    double t;
+};
+// Whether two triangles meet anywhere but in corners that they share, or one has no area. The first three corners are of one.
+bool meet(const std::array<Between, 6>& corners, const std::array<std::uint32_t, 6>& names);
+
 using PlanePoint = std::array<double, 2>;
 using PlaneSegment = std::array<PlanePoint, 2>;
 using Polylines = std::vector<std::vector<PlanePoint>>;
