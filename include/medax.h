@@ -4223,14 +4223,15 @@ size_t medax_pair_element_count(const medax_pair *pair,
 MEDAX_API medax_view_f64 medax_pair_boundary_vertices(const medax_pair *pair);
 
 /**
- * The sample that each vertex of the boundary is.
+ * The sample that each vertex of the boundary is; `MEDAX_NONE` for one by which triangles were divided (#medax_pair_onto).
  *
  * \param pair The pair-mesh, or NULL.
  * \return n x 1 vertices of the triangulation. Borrowed from `pair`.
  *
  * Constant time. Since 0.1.
  */
-MEDAX_API medax_view_u32 medax_pair_boundary_samples(const medax_pair *pair);
+MEDAX_API
+medax_view_u32 medax_pair_boundary_samples(const medax_pair *pair);
 
 /**
  * The inner vertices.
@@ -4434,7 +4435,7 @@ medax_status medax_pair_boundary(const medax_pair *pair,
 
 /**
  * The inner structure: its faces, and the edges that belong to none. Vertices carry `cell` and `moved`, how far they are from where they would be,
- * had nothing been turned inside out.
+ * had nothing been turned inside out; faces `samples`, those of their two pyramids; faces and edges `reason`, a #medax_pair_reason.
  *
  * \param pair The pair-mesh.
  * \param job NULL for a default job.
@@ -4483,7 +4484,114 @@ MEDAX_API const medax_pair *medax_pair_clone(const medax_pair *pair);
  */
 MEDAX_API void medax_pair_free(const medax_pair *pair);
 
-/* ---- 23. Place --------------------------------------------------------------------------------
+/* ---- 23. Pair-mesh of a part ------------------------------------------------------------------
+ *
+ * A pair-mesh between the boundary of a solid and a part of its Voronoi diagram: a filtered medial axis, or a core. What is not
+ * asked for is collapsed, as long as no element gets folded. (Shaham, Shamir, Cohen-Or 2004, section 4.)
+ */
+
+/**
+ * Why a face or a loose edge of the inner structure is there.
+ */
+enum medax_pair_reason
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * It was asked for.
+     */
+    MEDAX_PAIR_REASON_ASKED = 0,
+    /**
+     * None of its edges, or ends, is free: it closes a hole of what was asked for, joins parts of it, or lies behind what stays.
+     */
+    MEDAX_PAIR_REASON_ENCLOSED = 1,
+    /**
+     * Something of it is free, but without it an element would be folded: some of the boundary would see nothing.
+     */
+    MEDAX_PAIR_REASON_UNSEEN = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum medax_pair_reason medax_pair_reason;
+#else
+typedef uint32_t medax_pair_reason;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * How a pair-mesh is brought onto a part of its inner structure.
+ */
+typedef struct {
+    /**
+     * The size of this struct in the caller's program.
+     */
+    size_t struct_size;
+    /**
+     * 1 to divide triangles of the boundary round their centroids, at the middles of their edges, where an edge path is found only then; 0, the default,
+     * not to. The boundary stays where it is, but has more vertices, of which the sample is `MEDAX_NONE`.
+     */
+    uint32_t subdivide;
+    /**
+     * 1 to fail where anything stays that was not asked for; 0, the default, not to.
+     */
+    uint32_t exact;
+} medax_pair_onto_options;
+
+/**
+ * Sets the options to their defaults.
+ *
+ * \param options The caller's struct, of `struct_size` bytes.
+ * \param struct_size `sizeof *options`.
+ * \return `MEDAX_STATUS_OK`, `NULL_ARGUMENT`, or `INVALID_ARGUMENT` for a size of no version.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_pair_onto_options_init(medax_pair_onto_options *options,
+                                          size_t struct_size);
+
+/**
+ * The pair-mesh of a part of the inner structure: of the Voronoi facets and edges in which a complex lies, such as the axis of a
+ * #medax_medial, or a core, of the same samples. Of its faces and loose edges only the attribute `samples` counts; a complex without either
+ * asks for nothing, and so for as little as can be.
+ *
+ * What is not asked for is collapsed, bit by bit, as long as no element gets folded. So it always succeeds: what cannot go without
+ * changing the topology, or without folding an element, stays, and #medax_pair_reasons tells why. Faces that stay unasked are triangles, and
+ * their corners may have moved into others.
+ *
+ * \param pair The pair-mesh. It stays as it is.
+ * \param part A complex of which the faces have an attribute `samples` of two indices, and the loose edges one of three.
+ * \param options NULL for the defaults.
+ * \param job NULL for a default job.
+ * \param out_pair Receives the pair-mesh, which the caller frees with #medax_pair_free.
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for faces or loose edges without `samples`, or an option out of range; `DEGENERATE` with the first
+ *         face that stays unasked, where that was to be exact; `LIMIT_EXCEEDED` past 2^32 - 2 sides; `NULL_ARGUMENT`, `CANCELLED`,
+ *         `BUSY`, `OUT_OF_MEMORY`.
+ *
+ * O(size log size) where few changes are refused. Since 0.1.
+ */
+MEDAX_API
+medax_status medax_pair_onto(const medax_pair *pair,
+                             const medax_complex *part,
+                             const medax_pair_onto_options *options,
+                             const medax_job *job,
+                             const medax_pair **out_pair);
+
+/**
+ * Why each face of the inner structure is there. The loose edges that were not asked for have theirs in the complex of #medax_pair_inner.
+ *
+ * \param pair The pair-mesh.
+ * \param out_reasons Receives a #medax_pair_reason for each row of #medax_pair_inner_faces.
+ * \return `MEDAX_STATUS_OK` or `NULL_ARGUMENT`.
+ *
+ * O(faces). Since 0.1.
+ */
+MEDAX_API
+medax_status medax_pair_reasons(const medax_pair *pair,
+                                uint32_t *out_reasons);
+
+/* ---- 24. Place --------------------------------------------------------------------------------
  *
  * Coordinates in a pair-mesh: which element holds a point, and how far it is between the inner structure and the boundary; and deformations, in
  * which each node keeps its vector.
@@ -4606,7 +4714,7 @@ medax_status medax_pair_with_boundary(const medax_pair *pair,
                                       const medax_job *job,
                                       const medax_pair **out_pair);
 
-/* ---- 24. Half-faces ---------------------------------------------------------------------------
+/* ---- 25. Half-faces ---------------------------------------------------------------------------
  *
  * Every face of every element of a pair-mesh, seen from inside that element, with its edges: for walks through the solid, round edges at which any number of
  * elements meet, and over the inner structure and what wraps it. (Shaham, Shamir, Cohen-Or 2004, section 3.1.)
@@ -4711,7 +4819,7 @@ MEDAX_API const medax_half_faces *medax_half_faces_clone(const medax_half_faces 
  */
 MEDAX_API void medax_half_faces_free(const medax_half_faces *half_faces);
 
-/* ---- 25. Complex ------------------------------------------------------------------------------
+/* ---- 26. Complex ------------------------------------------------------------------------------
  *
  * The one output type: vertices; faces, which are polygons; loose edges, which are no side of a
  * face; volume cells; named attributes on each of them; and the faces cut into triangles.
@@ -4988,7 +5096,7 @@ MEDAX_API const medax_complex *medax_complex_clone(const medax_complex *complex)
  */
 MEDAX_API void medax_complex_free(const medax_complex *complex);
 
-/* ---- 26. Figures ------------------------------------------------------------------------------
+/* ---- 27. Figures ------------------------------------------------------------------------------
  *
  * Curves and points in the plane: polygons with holes, open polylines, points, circles.
  *
@@ -5378,7 +5486,7 @@ MEDAX_API const medax_figure *medax_figure_clone(const medax_figure *figure);
  */
 MEDAX_API void medax_figure_free(const medax_figure *figure);
 
-/* ---- 27. Topology -----------------------------------------------------------------------------
+/* ---- 28. Topology -----------------------------------------------------------------------------
  *
  * What a complex is as a set of elements that share others, told from its indices alone: vertices
  * that merely lie at the same place are different vertices. And what its coordinates make of that: measures, triangles that intersect.
@@ -5585,7 +5693,7 @@ medax_status medax_complex_validate(const medax_complex *complex,
                                     const medax_job *job,
                                     medax_validation *out_report);
 
-/* ---- 28. Winding numbers ----------------------------------------------------------------------
+/* ---- 29. Winding numbers ----------------------------------------------------------------------
  *
  * How often the faces of a complex wind round a point: 1 inside a closed surface whose faces point out, 0 outside of it.
  * (Jacobson, Kavan, Sorkine-Hornung 2013, Robust inside-outside segmentation using generalized winding numbers.)
@@ -5615,7 +5723,7 @@ medax_status medax_complex_winding_numbers(const medax_complex *complex,
                                            const medax_job *job,
                                            double *out_numbers);
 
-/* ---- 29. Normals ------------------------------------------------------------------------------
+/* ---- 30. Normals ------------------------------------------------------------------------------
  *
  * The normals of a surface at its vertices.
  */
@@ -5645,7 +5753,7 @@ medax_status medax_complex_vertex_normals(const medax_complex *complex,
                                           size_t vertex_count,
                                           double *out_normals);
 
-/* ---- 30. Comparison ---------------------------------------------------------------------------
+/* ---- 31. Comparison ---------------------------------------------------------------------------
  *
  * How far two complexes are apart as sets of points: their faces, loose edges and cells, which are
  * solid; or their vertices, where they have none of these.
@@ -5742,7 +5850,7 @@ medax_status medax_complex_compare(const medax_complex *a,
                                    const medax_job *job,
                                    medax_comparison *out_report);
 
-/* ---- 31. Decimation ---------------------------------------------------------------------------
+/* ---- 32. Decimation ---------------------------------------------------------------------------
  *
  * Fewer triangles for the same surface.
  */
@@ -5801,7 +5909,7 @@ medax_status medax_complex_decimate(const medax_complex *complex,
                                     const medax_job *job,
                                     const medax_complex **out_decimated);
 
-/* ---- 32. Flattening ---------------------------------------------------------------------------
+/* ---- 33. Flattening ---------------------------------------------------------------------------
  *
  * Power shapes have tetrahedra, most of them flat: these collapse to their triangles, and the homotopy type stays.
  */
@@ -5910,7 +6018,7 @@ MEDAX_API const medax_flattened *medax_flattened_clone(const medax_flattened *fl
  */
 MEDAX_API void medax_flattened_free(const medax_flattened *flattened);
 
-/* ---- 33. Sites --------------------------------------------------------------------------------
+/* ---- 34. Sites --------------------------------------------------------------------------------
  *
  * What distances are measured to: a boundary, as pieces that belong to sites. A #medax_sites holds points, segments, rays, lines, in the
  * plane circles, in space triangles and spheres; it is made of a plane figure, of a mesh or polygon soup, or of the pieces themselves, and
@@ -6170,7 +6278,7 @@ MEDAX_API const medax_sites *medax_sites_clone(const medax_sites *sites);
  */
 MEDAX_API void medax_sites_free(const medax_sites *sites);
 
-/* ---- 34. Distance -----------------------------------------------------------------------------
+/* ---- 35. Distance -----------------------------------------------------------------------------
  *
  * What of some sites is nearest to points, all that is as near, and whether points lie inside.
  */
@@ -6338,7 +6446,7 @@ MEDAX_API const medax_all_nearest *medax_all_nearest_clone(const medax_all_neare
  */
 MEDAX_API void medax_all_nearest_free(const medax_all_nearest *all_nearest);
 
-/* ---- 35. Decisions ----------------------------------------------------------------------------
+/* ---- 36. Decisions ----------------------------------------------------------------------------
  *
  * Does a circle or a sphere hold a point of the medial axis? The gradient of the distance points away from what is nearest. Where two
  * points of a circle or sphere that no part of the boundary enters have gradients that do not go together, the medial axis passes between
@@ -6533,7 +6641,7 @@ double medax_largest_missed_angle(double gap,
                                   double radius,
                                   double distance);
 
-/* ---- 36. Field axis ---------------------------------------------------------------------------
+/* ---- 37. Field axis ---------------------------------------------------------------------------
  *
  * Points of the medial axis of sites, as dense as they are asked for, read off the gradient of the distance: APPROXMA2D in the plane,
  * APPROXMA3D in space. Circles or spheres cover what is looked at, and each is asked whether it holds a medial point
@@ -6926,7 +7034,7 @@ MEDAX_API const medax_field_axis *medax_field_axis_clone(const medax_field_axis 
  */
 MEDAX_API void medax_field_axis_free(const medax_field_axis *axis);
 
-/* ---- 37. Medial graph -------------------------------------------------------------------------
+/* ---- 38. Medial graph -------------------------------------------------------------------------
  *
  * The medial axis of segments, points and circles in the plane, as a graph: nodes, where arcs meet or end, and arcs. It is followed along
  * the boundary, to the precision of rounding; without thresholds it has the Betti numbers of the region.
@@ -7192,7 +7300,7 @@ MEDAX_API const medax_medial_graph *medax_medial_graph_clone(const medax_medial_
  */
 MEDAX_API void medax_medial_graph_free(const medax_medial_graph *graph);
 
-/* ---- 38. Balls --------------------------------------------------------------------------------
+/* ---- 39. Balls --------------------------------------------------------------------------------
  *
  * Unions of balls, such as those of a medial axis, which are the solid again: how far points are from one, and its boundary as a mesh.
  * (Edelsbrunner 1995, The union of balls and its dual shape.)
@@ -7372,7 +7480,7 @@ MEDAX_API const medax_balls *medax_balls_clone(const medax_balls *balls);
  */
 MEDAX_API void medax_balls_free(const medax_balls *balls);
 
-/* ---- 39. File contents ------------------------------------------------------------------------
+/* ---- 40. File contents ------------------------------------------------------------------------
  *
  * What a file holds, before points or a complex are made of it. Reading trusts nothing, and an error
  * names the line of a text or the byte of a binary file. The ending of a path names the format:
@@ -7548,7 +7656,7 @@ MEDAX_API const medax_file *medax_file_clone(const medax_file *file);
  */
 MEDAX_API void medax_file_free(const medax_file *file);
 
-/* ---- 40. Reading and writing ------------------------------------------------------------------
+/* ---- 41. Reading and writing ------------------------------------------------------------------
  *
  * Written are PLY, OFF, OBJ, STL, XYZ, PTS, TXT, CSV, MA, VTU, and GeoJSON for plane complexes, by the ending of the path, to a
  * file beside the given name, which is moved into place when it is complete: after an error, a file
@@ -7699,7 +7807,7 @@ MEDAX_API const medax_warnings *medax_warnings_clone(const medax_warnings *warni
  */
 MEDAX_API void medax_warnings_free(const medax_warnings *warnings);
 
-/* ---- 41. Samples ------------------------------------------------------------------------------
+/* ---- 42. Samples ------------------------------------------------------------------------------
  *
  * Points of the surfaces of built-in shapes and of meshes, evenly spread: no two are nearer than
  * the spacing. The same options give the same points on every machine.

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// The chapters of the header in order: the files of `src/capi`.
-const CHAPTERS: [&str; 41] = [
+const CHAPTERS: [&str; 42] = [
     "status",
     "handle",
     "view",
@@ -30,6 +30,7 @@ const CHAPTERS: [&str; 41] = [
     "core",
     "flow_complex",
     "pair",
+    "onto",
     "place",
     "half_faces",
     "complex",

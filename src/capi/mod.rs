@@ -41,6 +41,7 @@ mod medial;
 mod medial_graph;
 mod medial_points;
 mod normals;
+mod onto;
 mod pair;
 mod place;
 mod points;

@@ -93,7 +93,7 @@ pub unsafe extern "C" fn medax_pair_boundary_vertices(pair: *const medax_pair) -
     floats(pair, 3, |pair| pair.boundary_vertices().as_flattened())
 }
 
-/// The sample that each vertex of the boundary is.
+/// The sample that each vertex of the boundary is; `MEDAX_NONE` for one by which triangles were divided (#medax_pair_onto).
 ///
 /// \param pair The pair-mesh, or NULL.
 /// \return n x 1 vertices of the triangulation. Borrowed from `pair`.
@@ -335,7 +335,7 @@ pub unsafe extern "C" fn medax_pair_boundary(
 }
 
 /// The inner structure: its faces, and the edges that belong to none. Vertices carry `cell` and `moved`, how far they are from where they would be,
-/// had nothing been turned inside out.
+/// had nothing been turned inside out; faces `samples`, those of their two pyramids; faces and edges `reason`, a #medax_pair_reason.
 ///
 /// \param pair The pair-mesh.
 /// \param job NULL for a default job.

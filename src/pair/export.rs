@@ -1,6 +1,6 @@
 //! Complexes from a pair-mesh: the solid, its boundary, the inner structure.
 
-use super::{PairElement, PairMesh};
+use super::{PairElement, PairMesh, PairReason};
 use crate::complex::{Attribute, CellType, Complex, ComplexParts, Element, Rows, Values};
 use crate::error::Result;
 use crate::index::NONE;
@@ -94,7 +94,7 @@ impl PairMesh {
     }
 
     /// The inner structure: its faces, and the edges that belong to none. Vertices carry `cell` (of which they are the Voronoi vertex, the least of several; or [`NONE`]) and
-    /// `moved` (how far from there they are, in input units). Errors: those of the job. Cost: O(size).
+    /// `moved` (how far from there they are, in input units); faces `samples` (those of their two pyramids); faces and edges `reason` ([`PairReason`]). Errors: those of the job. Cost: O(size).
     pub fn inner(&self, job: &Job) -> Result<Complex> {
         job.run(&[(Stage::Extract, 1.0)], |run| {
             run.enter(Stage::Extract)?;
@@ -125,6 +125,17 @@ impl PairMesh {
         let cells = room.collect(self.cell_of_inner.iter().copied())?;
         let moved = self.inner.iter().zip(&self.voronoi).map(|(&p, &q)| length(sub(p, q)));
         let moved = room.collect(moved)?;
+        let asked = [PairReason::Asked].into_iter().cycle().take(self.faces.len());
+        let of_faces = self.reasons.iter().copied().chain(asked).take(self.faces.len());
+        let mut face_reasons = room.vec(self.faces.len())?;
+        face_reasons.extend(of_faces.map(|reason| reason as u32));
+        let reason_of = |edge: &[u32; 2]| {
+            let found = self.unasked.binary_search_by_key(edge, |&(edge, _)| edge);
+            found.map_or(PairReason::Asked, |i| self.unasked[i].1) as u32
+        };
+        let edge_reasons = room.collect(edges.iter().map(reason_of))?;
+        let apexes = (0..self.ends[0] as u32).map(|element| self.sample_of(self.ring(element)[0]));
+        let samples = room.collect(apexes)?;
         room.keep(4 * (self.faces.indices().len() + self.faces.len() + 1))?;
         let parts = ComplexParts {
             vertices: room.collect(self.inner.iter().copied())?,
@@ -133,6 +144,9 @@ impl PairMesh {
             attributes: vec![
                 Attribute::new("cell", Element::Vertex, 1, Values::U32(cells))?,
                 Attribute::new("moved", Element::Vertex, 1, Values::F64(moved))?,
+                Attribute::new("samples", Element::Face, 2, Values::U32(samples))?,
+                Attribute::new("reason", Element::Face, 1, Values::U32(face_reasons))?,
+                Attribute::new("reason", Element::Edge, 1, Values::U32(edge_reasons))?,
             ],
             ..ComplexParts::default()
         };

@@ -1,18 +1,27 @@
 //! Pair-meshes: solids between an inner structure and their boundary (Shaham, Shamir, Cohen-Or, *Medial axis based solid representation*). See `docs/algorithms/pair.md`.
 
 mod assemble;
+mod collapse;
+mod contract;
 mod deform;
 mod export;
 mod half_faces;
 mod iso;
 mod measure;
 mod mend;
+mod onto;
 mod parts;
 mod place;
+mod reroute;
+mod shell;
 mod solid;
+mod subdivide;
+mod surgery;
+mod target;
 mod validate;
 
 pub use half_faces::HalfFaces;
+pub use onto::PairOntoOptions;
 pub use place::PairPlace;
 
 use crate::complex::Rows;
@@ -38,6 +47,18 @@ pub enum PairElement {
     VertexFace = 3,
 }
 
+/// Why a face or a loose edge of the inner structure is there. The numbers are the C ABI's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(u32)]
+pub enum PairReason {
+    /// It was asked for.
+    Asked = 0,
+    /// None of its edges, or ends, is free: it closes a hole of what was asked for, joins parts of it, or lies behind what stays.
+    Enclosed = 1,
+    /// Something of it is free, but without it an element would be folded: some of the boundary would see nothing.
+    Unseen = 2,
+}
+
 /// A solid in pyramids and tetrahedra, each with some vertices on its boundary and some on an inner structure.
 ///
 /// A *node* pairs a vertex of the boundary with an inner one; an element is a ring of nodes. Of a pyramid these are its apex with each vertex of its base; of an element between two edges, the ends of
@@ -59,6 +80,9 @@ pub struct PairMesh {
     /// The number of pyramids, and of these and the elements between edges.
     ends: [usize; 2],
     removed: Vec<u32>,
+    /// For each inner face why it is there, unless all were asked for; and the loose edges that were not, with reasons.
+    reasons: Vec<PairReason>,
+    unasked: Vec<([u32; 2], PairReason)>,
 }
 
 impl PairMesh {
@@ -74,6 +98,8 @@ impl PairMesh {
             rings: Rows::default(),
             ends: [0; 2],
             removed: Vec::new(),
+            reasons: Vec::new(),
+            unasked: Vec::new(),
         }
     }
 
@@ -162,7 +188,7 @@ impl PairMesh {
         &self.boundary
     }
 
-    /// The sample that each vertex of the boundary is, as a vertex of the triangulation.
+    /// The sample that each vertex of the boundary is, as a vertex of the triangulation; [`NONE`](crate::NONE) for one by which triangles were divided ([`PairOntoOptions::subdivide`]).
     pub fn sample_of_boundary(&self) -> &[u32] {
         &self.sample_of_boundary
     }
@@ -190,6 +216,21 @@ impl PairMesh {
     /// The samples inside the solid, which were removed before it was divided, as vertices of the triangulation, ascending.
     pub fn removed(&self) -> &[u32] {
         &self.removed
+    }
+
+    /// Why each face of the inner structure is there; empty where all were asked for, as in [`PairMesh::voronoi`].
+    pub fn reasons(&self) -> &[PairReason] {
+        &self.reasons
+    }
+
+    /// The loose edges of the inner structure that were not asked for, by their ends, ascending, and why they are there.
+    pub fn unasked_edges(&self) -> &[([u32; 2], PairReason)] {
+        &self.unasked
+    }
+
+    /// The sample at the boundary end of a node.
+    fn sample_of(&self, node: u32) -> u32 {
+        self.sample_of_boundary[self.nodes[node as usize][0] as usize]
     }
 
     /// The two ends of a node as vertices: those of the boundary, then the inner ones.

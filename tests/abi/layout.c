@@ -197,6 +197,10 @@ SIZE(medax_core_options, 16);
 FIELD(medax_core_options, struct_size, 0);
 FIELD(medax_core_options, side, 8);
 FIELD(medax_core_options, repair, 12);
+SIZE(medax_pair_onto_options, 16);
+FIELD(medax_pair_onto_options, struct_size, 0);
+FIELD(medax_pair_onto_options, subdivide, 8);
+FIELD(medax_pair_onto_options, exact, 12);
 
 SIZE(medax_core_report, 48);
 FIELD(medax_core_report, struct_size, 0);

@@ -2,6 +2,7 @@
 
 mod exact;
 mod models;
+mod onto;
 mod partition;
 mod points;
 mod shapes;

@@ -18,6 +18,8 @@ namespace medax {
 /// A point of a solid: a tetrahedron of an element, and how much each of its corners weighs.
 using Place = medax_place;
 
+using PairOntoOptions = detail::Options<medax_pair_onto_options, medax_pair_onto_options_init>;
+
 /// A solid between an inner structure and its boundary, in pyramids and tetrahedra.
 class Pair : public detail::Handle<medax_pair, medax_pair_clone, medax_pair_free> {
 public:
@@ -29,6 +31,20 @@ public:
         const medax_pair *pair = nullptr;
         job.check(medax_pair_voronoi(dual.get(), labels.get(), job.get(), &pair));
         return Pair(pair);
+    }
+
+    /// The pair-mesh of the part of the inner structure in which a complex of Voronoi faces lies, such as a medial axis or a core.
+    Pair onto(const Complex &part, const PairOntoOptions &options = PairOntoOptions(),
+              const Job &job = Job::fresh()) const {
+        const medax_pair *pair = nullptr;
+        job.check(medax_pair_onto(get(), part.get(), &options, job.get(), &pair));
+        return Pair(pair);
+    }
+    /// Why each inner face is there, as medax_pair_reason.
+    std::vector<std::uint32_t> reasons() const {
+        std::vector<std::uint32_t> reasons(inner_faces().rows());
+        detail::check(medax_pair_reasons(get(), reasons.data()));
+        return reasons;
     }
 
     /// All elements.
