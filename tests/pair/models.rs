@@ -89,3 +89,22 @@ fn shapes_and_models_are_divided() {
     show(&table);
     assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
 }
+
+/// The foot is cut off flat, with a cap of large triangles: much of what is folded there no one vertex can mend.
+#[test]
+fn a_foot_is_mended_in_few_places() {
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/data/foot.off");
+    if !path.is_file() {
+        show(&format!("skipped: the foot, since {} is not there\n", path.display()));
+        return;
+    }
+    let job = Job::default();
+    let dual = dual_of(read_points(path, Default::default(), &job).unwrap());
+    let cocone = Cocone::new(&dual, Default::default(), &job).unwrap();
+    let labels = Labels::of_cocone(&cocone, &job).unwrap();
+    let mesh = PairMesh::voronoi(&dual, &labels, &job).unwrap();
+    assert!(mesh.validate(&job).unwrap().is_valid());
+    let places = mesh.inner_vertices().iter().zip(mesh.voronoi_vertices());
+    let moved = places.filter(|(place, voronoi)| place != voronoi).count();
+    assert!(moved < 1000, "{moved}");
+}

@@ -43,6 +43,18 @@ fn balls_and_tori_are_divided() {
     }
 }
 
+/// Samples that are not spread evenly: many Voronoi vertices are outside the box, and much is folded.
+#[test]
+fn samples_at_random_are_mended_where_they_must_be() {
+    let mut random = Random(9);
+    let mesh = mesh(&torus(4000, &mut random), is_in_torus);
+    check(&mesh);
+    assert!(mesh.folded(&Job::default()).unwrap().is_empty());
+    let places = mesh.inner_vertices().iter().zip(mesh.voronoi_vertices());
+    let moved = places.filter(|(place, voronoi)| place != voronoi).count();
+    assert!((1..5000).contains(&moved), "{moved}");
+}
+
 /// The proof asks nothing of the solid: cells may be inner at random, so that the surface touches itself in edges and vertices.
 #[test]
 fn any_labels_will_do() {

@@ -1,43 +1,37 @@
 //! Places of the inner vertices at which no element is folded.
 //!
-//! The Voronoi vertex of an inner cell may lie where an element that has it is turned inside out (Shaham, Shamir, Cohen-Or, figure 2). Where that can be mended by moving one vertex, it is moved: where it may be
-//! is bounded by a plane for each tetrahedron that it is a corner of. What is left is moved step by step towards the centre of the sphere *in* its cell.
+//! The Voronoi vertex of an inner cell may lie where an element that has it is turned inside out (Shaham, Shamir, Cohen-Or, figure 2), or outside the box of the samples; those outside begin at the centre of
+//! the sphere *in* their cell. Then vertices of what is turned are moved one at a time ([`moves`]), each to where nothing that has it is turned, or less is: where it may be is bounded by a plane for each
+//! tetrahedron that it is a corner of. Some are gathered in one place, where no one vertex can be moved alone, and moved apart again if there is room. What is stuck begins anew with the vertices round it, and an attempt that helps nothing is
+//! taken back ([`unfold`]). If all else fails, vertices go step by step to the centres of the spheres in their cells. In the end each goes back as far as may be.
 //!
-//! There every element is right, whatever the solid: the vertex is inside its cell, so before all triangles of the surface that the cell has; it lies in the plane that halves each dihedral angle of the
+//! At these every element is right, whatever the solid: the vertex is inside its cell, so before all triangles of the surface that the cell has; it lies in the plane that halves each dihedral angle of the
 //! cell, so that from one cell to the next round an edge it turns by half the sum of their angles, less than half a turn. So do the pyramids over a facet, once that is divided into triangles round a
 //! point of its edge. Hence the mending ends, and always succeeds.
+
+mod moves;
+mod unfold;
 
 use super::parts::Parts;
 use crate::dual::Dual;
 use crate::error::Result;
 use crate::job::{Room, Run, parts};
 use crate::points::COORDINATE_MIN;
-use crate::predicates::orient3d;
+use crate::predicates::{Sign, orient3d};
 use crate::vector::{Vec3, add, cross, dot, length, scale, sub};
-
-/// The steps to the place where everything is right.
-const STEPS: u8 = 16;
-/// How often the parts that are folded are gone through before any vertex goes a step.
-const PASSES: usize = 3;
-/// How often a vertex is moved alone.
-const TRIES: u8 = 12;
-/// How far from its Voronoi vertex a vertex stays that goes back there as far as may be.
-const BACK: [f64; 8] = [0.0, 0.03125, 0.0625, 0.125, 0.25, 0.5, 0.75, 0.875];
-/// How often a vertex is moved to the other side of a plane.
-const MOVES: usize = 200;
-/// How far beyond a plane it is moved, as a share of how far it was on the wrong side: so it comes to where it may be in finitely many moves (Motzkin, Schoenberg 1954, *The relaxation method for
-/// linear inequalities*).
-const BEYOND: f64 = 0.5;
 
 /// The inner vertices: those of the inner cells, and one in the middle of each facet that has a vertex which was moved.
 pub(super) struct Mended<'a> {
     dual: &'a Dual,
     parts: &'a Parts,
-    /// Where they are, those of the cells first; whether they were moved; how often that was tried for them alone, and the steps that they have gone.
+    /// Where they are, those of the cells first; whether they were moved; how often that was tried, while it is.
     places: Vec<Vec3>,
     is_moved: Vec<bool>,
     tries: Vec<u8>,
-    steps: Vec<u8>,
+    /// What was before each move: which vertex, where it was, whether it had been moved.
+    was: Vec<(u32, Vec3, bool)>,
+    /// What was gathered with others, some of it more than once.
+    gathered: Vec<u32>,
 }
 
 /// What consists of elements.
@@ -69,12 +63,12 @@ impl<'a> Mended<'a> {
             places: room.vec(cells + facets)?,
             is_moved: room.filled(cells + facets, false)?,
             tries: room.filled(cells + facets, 0)?,
-            steps: room.filled(cells + facets, 0)?,
+            was: Vec::new(),
+            gathered: Vec::new(),
         };
         its.begin(run)?;
         let folded = its.folded_at_first(run)?;
-        let touched = its.unfold(folded, room, run)?;
-        its.go_back(&touched, run)?;
+        its.unfold(folded, room, run)?;
         Ok(its)
     }
 
@@ -126,22 +120,11 @@ impl<'a> Mended<'a> {
 
     /// Voronoi vertices, but for those outside the box of the samples, where there is no solid, nor are there bounds for coordinates.
     fn begin(&mut self, run: &Run<'_>) -> Result<()> {
-        let bounds = self.dual.triangulation().points().bounds();
         for cell in run.watch(0..self.parts.cells.len()) {
             let cell = cell?;
             let center = self.dual.centers()[self.parts.cells[cell] as usize];
-            let mut place = center;
-            if !self.is_in_box(center) {
-                // On the way inward, just where it comes into the box.
-                let target = self.target(cell as u32);
-                let enters = (0..3).map(|k| {
-                    let end = center[k].clamp(bounds.min[k], bounds.max[k]);
-                    if end == center[k] { 1.0 } else { (end - target[k]) / (center[k] - target[k]) }
-                });
-                let share = enters.fold(1.0, f64::min).max(0.0);
-                place = between(target, center, share);
-                self.is_moved[cell] = true;
-            }
+            self.is_moved[cell] = !self.is_in_box(center);
+            let place = if self.is_moved[cell] { self.target(cell as u32) } else { center };
             self.places.push(place);
         }
         for facet in run.watch(0..self.parts.facets.len()) {
@@ -150,6 +133,23 @@ impl<'a> Mended<'a> {
             self.places.push(tidy(scale(sum, 1.0 / ring.len() as f64)));
         }
         Ok(())
+    }
+
+    /// Where the vertex of an inner cell should be: its Voronoi vertex, or, where that is outside the box, the last place in it on the way there from its target.
+    fn home(&self, cell: u32) -> Vec3 {
+        let center = self.dual.centers()[self.parts.cells[cell as usize] as usize];
+        if self.is_in_box(center) {
+            return center;
+        }
+        let bounds = self.dual.triangulation().points().bounds();
+        let target = self.target(cell);
+        let leaves = (0..3).map(|k| {
+            let end = center[k].clamp(bounds.min[k], bounds.max[k]);
+            if end == center[k] { 1.0 } else { (end - target[k]) / (center[k] - target[k]) }
+        });
+        let share = leaves.fold(1.0, f64::min).max(0.0);
+        let place = tidy(between(target, center, share));
+        [0, 1, 2].map(|k| place[k].clamp(bounds.min[k], bounds.max[k]))
     }
 
     /// Where a vertex makes everything right, together with the others there: the centre of the sphere in its cell, the middle of its facet's edge.
@@ -184,6 +184,34 @@ impl<'a> Mended<'a> {
             Ok(all.filter(|&part| self.is_folded(part)).collect::<Vec<_>>())
         })?;
         Ok(found.concat())
+    }
+
+    /// Moves a vertex.
+    fn put(&mut self, vertex: u32, place: Vec3) {
+        let v = vertex as usize;
+        self.was.push((vertex, self.places[v], self.is_moved[v]));
+        (self.places[v], self.is_moved[v]) = (place, true);
+    }
+
+    /// Moves a vertex to where it was before anything was mended; that in the middle of a facet stays.
+    fn put_back(&mut self, cell: u32) {
+        if cell as usize >= self.parts.cells.len() {
+            return;
+        }
+        let center = self.dual.centers()[self.parts.cells[cell as usize] as usize];
+        let is_inside = self.is_in_box(center);
+        self.put(cell, if is_inside { center } else { self.target(cell) });
+        self.is_moved[cell as usize] = !is_inside;
+    }
+
+    /// The cells that a part has.
+    fn cells_of(&self, part: Part) -> impl Iterator<Item = u32> + use<'_> {
+        let row = match part {
+            Part::Triangle(i) => &self.parts.behind[i as usize..=i as usize],
+            Part::Fan(i) => self.parts.fans.row(i as usize),
+            Part::Facet(i) => self.parts.rings.row(i as usize),
+        };
+        row.iter().copied()
     }
 
     /// All that has a vertex.
@@ -250,6 +278,19 @@ impl<'a> Mended<'a> {
         orient3d(&a, &b, &c, &d).is_negative()
     }
 
+    /// Whether a tetrahedron that has a vertex has no volume.
+    fn is_any_flat(&self, vertex: u32) -> bool {
+        let mut is_flat = false;
+        for part in self.parts_at(vertex) {
+            self.tetrahedra(part, &mut |corners| {
+                let has = corners.contains(&Corner::Inner(vertex));
+                let [a, b, c, d] = corners.map(|corner| self.at(corner));
+                is_flat = is_flat || (has && orient3d(&a, &b, &c, &d) == Sign::Zero);
+            });
+        }
+        is_flat
+    }
+
     fn is_folded(&self, part: Part) -> bool {
         let mut is_folded = false;
         self.tetrahedra(part, &mut |corners| is_folded = is_folded || self.is_turned(corners));
@@ -271,141 +312,6 @@ impl<'a> Mended<'a> {
         vertices.dedup();
         vertices
     }
-
-    /// Moves vertices of what is folded until nothing is: one, where that mends a part; else all that are turned, a step towards their targets. Returns those that were moved.
-    ///
-    /// It ends, since each vertex is tried alone so often at most, and then goes so many steps.
-    fn unfold(
-        &mut self,
-        mut folded: Vec<Part>,
-        room: &mut Room<'_>,
-        run: &Run<'_>,
-    ) -> Result<Vec<u32>> {
-        let mut all = Vec::new();
-        for pass in 0.. {
-            if folded.is_empty() {
-                break;
-            }
-            let mut touched = Vec::new();
-            for part in folded {
-                run.poll()?;
-                let mut vertices = self.turned_vertices(part);
-                if vertices.is_empty() {
-                    continue;
-                }
-                // First what is folded most.
-                vertices.sort_by_cached_key(|&v| (usize::MAX - self.folded_at(&[v]).len(), v));
-                if let Some(&vertex) = vertices.iter().find(|&&vertex| self.move_one(vertex)) {
-                    room.push(&mut touched, vertex)?;
-                } else if pass < PASSES {
-                    room.grow(&mut touched, vertices.len())?;
-                    touched.extend(vertices);
-                } else {
-                    // What cannot go on is as right as rounding lets it be.
-                    vertices.retain(|&v| self.steps[v as usize] < STEPS);
-                    // The middle of a facet goes first.
-                    let is_cell = |&v: &u32| (v as usize) < self.parts.cells.len();
-                    if !vertices.iter().all(is_cell) {
-                        vertices.retain(|v| !is_cell(v));
-                    }
-                    vertices.iter().for_each(|&vertex| self.step(vertex));
-                    room.grow(&mut touched, vertices.len())?;
-                    touched.extend(vertices);
-                }
-            }
-            folded = self.folded_at(&touched);
-            room.grow(&mut all, touched.len())?;
-            all.extend(touched);
-        }
-        all.sort_unstable();
-        all.dedup();
-        Ok(all)
-    }
-
-    /// Moves a vertex to where nothing that has it is folded, or leaves it where it is. Whether it was moved.
-    fn move_one(&mut self, vertex: u32) -> bool {
-        let v = vertex as usize;
-        if self.tries[v] >= TRIES || self.steps[v] >= STEPS {
-            return false;
-        }
-        self.tries[v] += 1;
-        let (place, was_moved) = (self.places[v], self.is_moved[v]);
-        self.is_moved[v] = true;
-        let at = self.parts_at(vertex);
-        let mut planes: Vec<(Vec3, f64)> = Vec::new();
-        for &part in &at {
-            self.tetrahedra(part, &mut |corners| planes.extend(self.plane(corners, vertex)));
-        }
-        let found = relaxed(place, &planes).map(tidy);
-        self.places[v] = found.unwrap_or(place);
-        let is_right = found.is_some() && !at.iter().any(|&part| self.is_folded(part));
-        if !is_right {
-            (self.places[v], self.is_moved[v]) = (place, was_moved);
-        }
-        is_right
-    }
-
-    /// The plane that a corner of a tetrahedron must lie behind: its normal out of it, of length 1, and how far it is from the origin along that.
-    fn plane(&self, corners: [Corner; 4], vertex: u32) -> Option<(Vec3, f64)> {
-        let own = corners.iter().position(|&corner| corner == Corner::Inner(vertex))?;
-        // The others, so that they turn counterclockwise seen from the side where the corner is not.
-        let [p, q, r] =
-            [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]][own].map(|i| self.at(corners[i]));
-        let normal = cross(sub(q, p), sub(r, p));
-        let size = length(normal);
-        (size > 0.0).then(|| {
-            let normal = scale(normal, 1.0 / size);
-            (normal, dot(normal, p))
-        })
-    }
-
-    /// Moves a vertex towards its target, which it reaches with the last step.
-    fn step(&mut self, vertex: u32) {
-        let v = vertex as usize;
-        let share = 1.0 / f64::from(STEPS - self.steps[v]);
-        (self.steps[v], self.is_moved[v]) = (self.steps[v] + 1, true);
-        self.places[v] = tidy(between(self.places[v], self.target(vertex), share));
-    }
-
-    /// Lets each of some vertices of cells go back to its Voronoi vertex as far as nothing folds.
-    fn go_back(&mut self, vertices: &[u32], run: &Run<'_>) -> Result<()> {
-        let cells = vertices.partition_point(|&v| (v as usize) < self.parts.cells.len());
-        for &vertex in &vertices[..cells] {
-            run.poll()?;
-            let v = vertex as usize;
-            let place = self.places[v];
-            let home = self.dual.centers()[self.parts.cells[v] as usize];
-            let folded_before = self.folded_at(&[vertex]).len();
-            for share in BACK {
-                self.places[v] = tidy(between(home, place, share));
-                self.is_moved[v] = share > 0.0;
-                if self.is_in_box(self.places[v])
-                    && self.folded_at(&[vertex]).len() <= folded_before
-                {
-                    break;
-                }
-                (self.places[v], self.is_moved[v]) = (place, true);
-            }
-        }
-        Ok(())
-    }
-}
-
-/// A point behind all planes, near to a given one, if it is found soon.
-fn relaxed(mut p: Vec3, planes: &[(Vec3, f64)]) -> Option<Vec3> {
-    for _ in 0..MOVES {
-        let before = |&(normal, distance): &(Vec3, f64)| dot(normal, p) - distance;
-        let worst = planes.iter().max_by(|a, b| before(a).total_cmp(&before(b)))?;
-        let beyond = before(worst);
-        if beyond < 0.0 {
-            return Some(p);
-        }
-        // Not on the plane, whatever rounding does.
-        let size = p.iter().fold(worst.1.abs(), |size, x| size.max(x.abs()));
-        let by = beyond * (1.0 + BEYOND) + 1e-14 * size;
-        p = sub(p, scale(worst.0, by));
-    }
-    None
 }
 
 /// A point at a share of the way from one to another.
