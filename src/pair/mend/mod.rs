@@ -18,7 +18,7 @@ use crate::error::Result;
 use crate::job::{Room, Run, parts};
 use crate::points::COORDINATE_MIN;
 use crate::predicates::{Sign, orient3d};
-use crate::vector::{Vec3, add, cross, dot, length, scale, sub};
+use crate::vector::{Vec3, add, cross, length, scale, sub};
 
 /// The inner vertices: those of the inner cells, and one in the middle of each facet that has a vertex which was moved.
 pub(super) struct Mended<'a> {
