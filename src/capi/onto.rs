@@ -5,7 +5,7 @@
 
 use super::boundary;
 use super::handle::{self, medax_complex, medax_job, medax_pair};
-use super::options::{self, SizedStruct, flag, sized_struct};
+use super::options::{self, flag, sized_struct};
 use super::status::medax_status;
 use super::view::{Buffer, Out};
 use crate::error::Result;
@@ -21,6 +21,16 @@ pub enum medax_pair_reason {
     Enclosed = 1,
     /// Something of it is free, but without it an element would be folded: some of the boundary would see nothing.
     Unseen = 2,
+}
+
+impl From<PairReason> for medax_pair_reason {
+    fn from(reason: PairReason) -> Self {
+        match reason {
+            PairReason::Asked => medax_pair_reason::Asked,
+            PairReason::Enclosed => medax_pair_reason::Enclosed,
+            PairReason::Unseen => medax_pair_reason::Unseen,
+        }
+    }
 }
 
 /// How a pair-mesh is brought onto a part of its inner structure.
@@ -119,7 +129,7 @@ pub unsafe extern "C" fn medax_pair_reasons(
         let reasons: Vec<u32> = given
             .chain(std::iter::repeat(PairReason::Asked))
             .take(count)
-            .map(|reason| reason as u32)
+            .map(|reason| medax_pair_reason::from(reason) as u32)
             .collect();
         out.fill(&reasons);
         Ok(())

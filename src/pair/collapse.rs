@@ -33,7 +33,6 @@ pub(super) struct Collapse<'a, 'r> {
     refused: Vec<u32>,
     rounds: usize,
     room: Room<'r>,
-    run: &'r Run<'r>,
 }
 
 impl<'a, 'r> Collapse<'a, 'r> {
@@ -49,18 +48,8 @@ impl<'a, 'r> Collapse<'a, 'r> {
         let listed = room.vec(target.is_fixed.len())?;
         let waiting = BinaryHeap::new();
         let (refused, rounds) = (Vec::new(), 0);
-        let mut its = Collapse {
-            shell,
-            target,
-            subdivide,
-            waiting,
-            listed,
-            side_of,
-            refused,
-            rounds,
-            room,
-            run,
-        };
+        let mut its =
+            Collapse { shell, target, subdivide, waiting, listed, side_of, refused, rounds, room };
         for element in 0..its.shell.element_count() {
             run.poll()?;
             if its.shell.kind(element) == Kind::Pyramid {

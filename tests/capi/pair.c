@@ -194,6 +194,45 @@ static void half_faces(const medax_pair *pair) {
     CHECK_STATUS(NULL_ARGUMENT, medax_half_faces_build(NULL, NULL, &its));
 }
 
+/* As little of the inner structure as can be, and what is no part of it. */
+static void parts(const medax_pair *pair) {
+    medax_pair_onto_options options;
+    CHECK_STATUS(OK, medax_pair_onto_options_init(&options, sizeof options));
+    CHECK(options.subdivide == 0 && options.exact == 0);
+    medax_complex_parts arrays;
+    CHECK_STATUS(OK, medax_complex_parts_init(&arrays, sizeof arrays));
+    const medax_complex *boundary = NULL, *nothing = NULL;
+    CHECK_STATUS(OK, medax_pair_boundary(pair, NULL, &boundary));
+    CHECK_STATUS(OK, medax_complex_create(&arrays, &nothing));
+
+    const medax_pair *whole = NULL, *spine = NULL;
+    const size_t faces = medax_pair_inner_faces(pair).rows;
+    CHECK_STATUS(INVALID_ARGUMENT, medax_pair_onto(pair, boundary, &options, NULL, &whole));
+    CHECK_STATUS(OK, medax_pair_onto(pair, nothing, NULL, NULL, &spine));
+    NEED(spine != NULL);
+    const size_t left = medax_pair_inner_faces(spine).rows;
+    CHECK(left < faces && medax_pair_boundary_vertices(spine).rows == medax_pair_boundary_vertices(pair).rows);
+    medax_validation report;
+    report.struct_size = sizeof report;
+    CHECK_STATUS(OK, medax_pair_validate(spine, NULL, &report));
+    CHECK(report.problems == 0);
+    uint32_t reasons[4096];
+    NEED(left <= 4096 && faces <= 4096);
+    CHECK_STATUS(OK, medax_pair_reasons(spine, reasons));
+    for (size_t i = 0; i < left; ++i) CHECK(reasons[i] == MEDAX_PAIR_REASON_ENCLOSED || reasons[i] == MEDAX_PAIR_REASON_UNSEEN);
+    CHECK_STATUS(OK, medax_pair_reasons(pair, reasons));
+    for (size_t i = 0; i < faces; ++i) CHECK(reasons[i] == MEDAX_PAIR_REASON_ASKED);
+    options.exact = 2;
+    CHECK_STATUS(INVALID_ARGUMENT, medax_pair_onto(pair, nothing, &options, NULL, &whole));
+    CHECK_STATUS(NULL_ARGUMENT, medax_pair_onto(NULL, nothing, NULL, NULL, &whole));
+    CHECK_STATUS(NULL_ARGUMENT, medax_pair_onto(pair, NULL, NULL, NULL, &whole));
+    CHECK_STATUS(NULL_ARGUMENT, medax_pair_reasons(NULL, reasons));
+    CHECK(whole == NULL);
+    medax_pair_free(spine);
+    medax_complex_free(boundary);
+    medax_complex_free(nothing);
+}
+
 int main(void) {
     double ball[3 * 300], block[3 * 27];
     uint64_t state = 1;
@@ -212,6 +251,7 @@ int main(void) {
     places(of_ball);
     deformations(of_ball);
     half_faces(of_ball);
+    parts(of_ball);
     const medax_pair *same = medax_pair_clone(of_ball);
     medax_pair_free(of_ball);
     CHECK(same == of_ball && medax_pair_nodes(same).rows > 0);

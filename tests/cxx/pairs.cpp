@@ -32,6 +32,15 @@ void pairs() {
     CHECK(pair.inner().vertices().rows() == pair.inner_vertices().rows());
     for (std::uint32_t shell : pair.shells()) CHECK(shell == 0);
 
+    const medax::Pair spine = pair.onto(medax::Complex::create(medax::ComplexParts()));
+    CHECK(spine.validate().problems == 0);
+    CHECK(spine.inner_vertices().rows() <= pair.inner_vertices().rows());
+    for (std::uint32_t reason : spine.reasons()) CHECK(reason != MEDAX_PAIR_REASON_ASKED);
+    for (std::uint32_t reason : pair.reasons()) CHECK(reason == MEDAX_PAIR_REASON_ASKED);
+    medax::PairOntoOptions onto;
+    onto.subdivide = 2;
+    CHECK(THROWN(pair.onto(spine.inner(), onto)).status() == MEDAX_STATUS_INVALID_ARGUMENT);
+
     const std::vector<medax::Point> queries = {{0.3, 0.4, 0.5}, {9, 9, 9}};
     const std::vector<medax::Place> places = pair.locate(queries);
     CHECK(places[1].element == medax::none && places[0].t > 0 && places[0].t < 1);

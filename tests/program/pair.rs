@@ -41,6 +41,43 @@ fn a_torus_is_divided_and_its_surfaces_are_written() {
 }
 
 #[test]
+fn parts_of_the_inner_structure_are_asked_for() {
+    let place = Place::new();
+    place.shape(Shape::Torus, "torus.ply");
+    let whole = place.json("pair torus.ply");
+    let all = whole["pair"]["inner_faces"].as_u64().unwrap();
+    assert_eq!(whole["pair"]["asked"], all);
+    for (inner, least) in [
+        ("medial", 1000),
+        ("medial --facets angle=90 --subdivide", 100),
+        ("core", 0),
+        ("core --facets medial", 1000),
+        ("spine", 0),
+    ] {
+        let command = format!("pair torus.ply --validate --inner-out inner.ply --inner {inner}");
+        let report = place.json(&command);
+        let pair = &report["pair"];
+        let count = |name: &str| pair[name].as_u64().unwrap();
+        assert_eq!(report["validation"]["problems"], 0, "{inner}");
+        assert!(count("asked") >= least && count("inner_faces") < all, "{inner}: {pair}");
+        assert_eq!(count("asked") + count("enclosed") + count("unseen"), count("inner_faces"));
+        assert_eq!(report["outputs"][1]["topology"]["betti"], json!([1, 1, 0]), "{inner}");
+        let written = io::read_complex(place.path("inner.ply"), &Job::default()).unwrap();
+        assert_eq!(written.faces().len() as u64, count("inner_faces"));
+    }
+    let error = place.failure("pair torus.ply --inner core --exact", 1);
+    assert_eq!((&error["status"], &error["kind"]), (&json!("DEGENERATE"), &json!("face")));
+    for arguments in [
+        "pair torus.ply --facets medial",
+        "pair torus.ply --inner spine --facets medial",
+        "pair torus.ply --exact",
+        "pair torus.ply --subdivide",
+    ] {
+        assert_eq!(place.run(arguments).status.code(), Some(2), "{arguments}");
+    }
+}
+
+#[test]
 fn what_is_no_time_is_refused() {
     let place = Place::new();
     place.shape(Shape::Torus, "torus.ply");
