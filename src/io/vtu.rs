@@ -283,16 +283,16 @@ fn polyhedron_len(corners: &[u32], shape: u8) -> usize {
 }
 
 /// The faces of a pyramid whose apex is the last corner: their number, then each with its length.
-/// The sides walk round the base the other way than the base does, so that all face one way.
+/// All face outward, as VTK asks; seen from outside, the base turns the other way than it does from the apex.
 fn put_polyhedron(corners: &[u32], out: &mut Sink<'_>) -> Result<()> {
     let Some((&apex, base)) = corners.split_last() else { return Ok(()) };
     put_i64(base.len() as i64 + 1, out)?;
     put_i64(base.len() as i64, out)?;
-    base.iter().try_for_each(|&v| put_i64(v.into(), out))?;
+    base.iter().rev().try_for_each(|&v| put_i64(v.into(), out))?;
     for k in 0..base.len() {
         let (a, b) = (base[k], base[(k + 1) % base.len()]);
         put_i64(3, out)?;
-        [b, a, apex].iter().try_for_each(|&v| put_i64(v.into(), out))?;
+        [a, b, apex].iter().try_for_each(|&v| put_i64(v.into(), out))?;
     }
     Ok(())
 }

@@ -52,11 +52,14 @@ struct Fans {
     }
 };
 
-medax::Pair pair_of(const std::vector<Point>& points) {
+// The pair-mesh of samples, and that of their medial axis.
+std::array<medax::Pair, 2> pairs_of(const std::vector<Point>& points) {
     medax::DualOptions with_facets;
     with_facets.facets = 1;
     const auto dual = medax::Dual::of(medax::Triangulation::delaunay(medax::Points::from(points)), with_facets);
-    return medax::Pair::voronoi(dual, medax::Labels::of(medax::Cocone::of(dual)));
+    const auto labels = medax::Labels::of(medax::Cocone::of(dual));
+    const auto pair = medax::Pair::voronoi(dual, labels);
+    return {pair, pair.onto(medax::Medial::of(dual, labels).axis())};
 }
 
 // The tetrahedra to which the triangles of a surface belong, and which of them are exempt.
@@ -116,8 +119,7 @@ private:
     std::vector<double> shares_;
 };
 
-void compare(const std::string& name, const std::vector<Point>& points, Report& report) {
-    const medax::Pair pair = pair_of(points);
+void compare_one(const std::string& name, const medax::Pair& pair, Report& report) {
     const Fans boundary(pair.boundary());
     const reference::Surface last = reference::surface(boundary.vertices, boundary.triangles);
     Tetrahedra tetrahedra(pair, Fans(pair.iso_surface(0.5)));
@@ -163,6 +165,12 @@ void compare(const std::string& name, const std::vector<Point>& points, Report& 
     std::printf("       elements with exempt tetrahedra, and their share of the volume:");
     for (const auto& [element, share] : exempt) std::printf(" %u (%.1e)", element, share);
     std::printf("\n");
+}
+
+void compare(const std::string& name, const std::vector<Point>& points, Report& report) {
+    const auto [pair, medial] = pairs_of(points);
+    compare_one(name, pair, report);
+    compare_one(name + ", medial", medial, report);
 }
 
 }  // namespace

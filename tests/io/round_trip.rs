@@ -383,7 +383,7 @@ fn vtu_holds_everything() {
     assert_eq!(i64s("connectivity")[..7], [5, 0, 1, 5, 0, 1, 2]);
     assert_eq!(
         i64s("faces"),
-        [6, 5, 0, 1, 2, 3, 4, 3, 1, 0, 5, 3, 2, 1, 5, 3, 3, 2, 5, 3, 4, 3, 5, 3, 0, 4, 5]
+        [6, 5, 4, 3, 2, 1, 0, 3, 0, 1, 5, 3, 1, 2, 5, 3, 2, 3, 5, 3, 3, 4, 5, 3, 4, 0, 5]
     );
     assert_eq!(i64s("faceoffsets"), [-1, -1, -1, -1, -1, -1, -1, 27]);
     // Labels of edges and cells share an array; that of the faces is of another type.

@@ -40,7 +40,7 @@ def enclosed(points, triangles):
 
 
 def volumes(solid):
-    """Of tetrahedra and pyramids by their corners, of polyhedra by their faces, each a fan of triangles, which all point out or all point in. VTK's own volumes of thin polyhedra are wrong."""
+    """Of tetrahedra and pyramids by their corners, of polyhedra by their faces, each a fan of triangles that point out. VTK's own volumes of thin polyhedra are wrong."""
     points = np.asarray(solid.points)
     cells, offsets, kinds = solid.cell_connectivity, vtk_to_numpy(solid.GetCells().GetOffsetsArray()), solid.celltypes
     found = np.full(solid.n_cells, np.nan)
@@ -58,8 +58,17 @@ def volumes(solid):
         for _ in range(count):
             face, numbers = numbers[1 : numbers[0] + 1], numbers[numbers[0] + 1 :]
             triangles += [(face[0], p, q) for p, q in zip(face[1:], face[2:])]
-        found[cell] = abs(enclosed(points, np.array(triangles)))
+        found[cell] = enclosed(points, np.array(triangles))
     return found
+
+
+def turned(solid):
+    """The number of cells of which VTK says that faces point the wrong way."""
+    validator = vtk.vtkCellValidator()
+    validator.SetInputData(solid)
+    validator.Update()
+    states = vtk_to_numpy(validator.GetOutput().GetCellData().GetArray("ValidityState"))
+    return np.count_nonzero(states & vtk.vtkCellValidator.FacesAreOrientedIncorrectly)
 
 
 def topology(surface):
@@ -73,19 +82,20 @@ def topology(surface):
     return edges(boundary_edges=True), edges(non_manifold_edges=True), 1 - euler / 2, pieces
 
 
-def check(program, name, path, genus, folder):
-    """What is wrong."""
+def check(program, name, path, genus, folder, inner):
+    """What is wrong with the pair-mesh of an inner structure."""
     wrong = []
 
     def demand(holds, text):
         if not holds:
             wrong.append(text)
 
-    report = medax(program, "pair", path, "-o", folder / "solid.vtu", "--iso", "1", "--iso-out", folder / "boundary.vtu")
+    report = medax(program, "pair", path, "--inner", inner, "-o", folder / "solid.vtu", "--iso", "1", "--iso-out", folder / "boundary.vtu")
     solid, boundary = pyvista.read(folder / "solid.vtu"), pyvista.read(folder / "boundary.vtu")
     counts, pair = report["counts"], report["pair"]
     demand((solid.n_cells, solid.n_points) == (counts["cells"], counts["vertices"]), "the counts of the solid")
     demand(solid.n_points == pair["boundary_vertices"] + pair["inner_vertices"], "the vertices of the solid")
+    demand(turned(solid) == 0, f"{turned(solid)} cells have faces that point the wrong way")
     kinds = solid.cell_data["kind"]
     demand([np.count_nonzero(kinds == kind) for kind in (1, 2, 3)] == [pair["face_vertex"], pair["edge_edge"], pair["vertex_face"]], "the kinds of cells")
     t = solid.point_data["t"]
@@ -98,18 +108,18 @@ def check(program, name, path, genus, folder):
     found = topology(contour)
     demand(found == (0, 0, genus, 1), f"the contour: {found}")
 
-    report = medax(program, "pair", path, "--iso", "0.001,0.5", "--iso-out", folder / "iso.ply")
+    report = medax(program, "pair", path, "--inner", inner, "--iso", "0.001,0.5", "--iso-out", folder / "iso.ply")
     for out in [folder / "iso-0.001.ply", folder / "iso-0.5.ply"]:
         its = next(its for its in report["outputs"] if its["path"] == str(out))
         surface = pyvista.read(out)
         demand((surface.n_cells, surface.n_points) == (its["faces"], its["vertices"]), f"the counts of {out.name}")
         demand(topology(surface) == (0, 0, genus, 1), f"{out.name}: {topology(surface)}")
-    report = medax(program, "pair", path, "--iso", "0.5", "--iso-out", folder / "iso.obj")
+    report = medax(program, "pair", path, "--inner", inner, "--iso", "0.5", "--iso-out", folder / "iso.obj")
     again = pyvista.read(folder / "iso.obj")
     demand((again.n_cells, again.n_points) == (surface.n_cells, surface.n_points), "the counts of iso.obj")
     demand(topology(again) == (0, 0, genus, 1), f"iso.obj: {topology(again)}")
     demand(np.abs(again.points - surface.points).max() <= 1e-6 * surface.length, "the points of iso.obj")
-    print(f"{name}: {solid.n_cells} cells, {solid.n_points} points, volume {inside}; contour of {contour.n_cells} faces, genus {found[2]:g}{''.join('   WRONG: ' + text for text in wrong)}", flush=True)
+    print(f"{name}, {inner}: {solid.n_cells} cells, {solid.n_points} points, volume {inside}; contour of {contour.n_cells} faces, genus {found[2]:g}{''.join('   WRONG: ' + text for text in wrong)}", flush=True)
     return wrong
 
 
@@ -128,7 +138,8 @@ def main():
         else:
             print(f"skipped: real models, since {data} is not there")
         for name, path, genus in cases:
-            failures += len(check(program, name, path, genus, folder))
+            for inner in ["voronoi", "medial"]:
+                failures += len(check(program, name, path, genus, folder, inner))
     sys.exit(1 if failures else 0)
 
 
