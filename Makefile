@@ -9,12 +9,13 @@ COUNTED := --features count-stages --test predicates
 HOST = $(shell rustc -vV | sed -n 's/^host: //p')
 CONFIGURE := cmake -S . -B $(BUILD)/medax
 
-.PHONY: help demo test test-rust test-package bench bench-peers bench-nearest peers results medial flow pair field figure3 three-lines convergence stress tsan header doc install clean
+.PHONY: help demo test test-rust moved test-package test-hosts bench bench-peers bench-nearest peers results medial flow pair field figure3 three-lines convergence stress tsan header doc install clean
 .DEFAULT_GOAL := help
 
 help:
 	@echo 'make demo              sample a shape, make its power crust and medial axis, in out/'
 	@echo 'make test              every check and test; installs what they need on Debian'
+	@echo 'make test-hosts        Python, Blender, MeshLab, the manual: each tried in the real host; test-python and so on for one'
 	@echo 'make bench             how long each stage takes'
 	@echo 'make bench-peers       triangulations against those of CGAL, in turns'
 	@echo 'make bench-nearest     nearest points of meshes against CGAL'"'"'s AABB tree, in turns'
@@ -54,17 +55,24 @@ test-rust:
 	for threads in 1 3 8; do MEDAX_THREADS=$$threads cargo test --locked --lib --test structures || exit 1; done
 	CARGO_PROFILE_TEST_OPT_LEVEL=0 cargo test --locked $(COUNTED) stages
 
-# C, C++ against CGAL and OpenMesh, and consumers, all through an installed package that was moved.
-test-package:
+# The package, installed and moved.
+moved:
 	$(CONFIGURE) -DCMAKE_INSTALL_PREFIX=$(STAGED)
 	cmake --build $(BUILD)/medax
 	rm -rf $(STAGED) $(MOVED)
 	cmake --install $(BUILD)/medax
 	mv $(STAGED) $(MOVED)
+
+# C, C++ against CGAL and OpenMesh, and consumers, all through an installed package that was moved.
+test-package: moved
 	cmake -S tests -B $(BUILD)/tests -G Ninja -DCMAKE_PREFIX_PATH=$(MOVED) -DMEDAX_TARGET_DIR=$(BUILD)/medax/target
 	cmake --build $(BUILD)/tests
 	ctest --test-dir $(BUILD)/tests --output-on-failure -j2
 	for threads in 1 3 8; do MEDAX_THREADS=$$threads ctest --test-dir $(BUILD)/tests -R cgal.triangulations || exit 1; done
+
+# Where people already work, a part for each host: each in its real host, through the package or a wheel.
+HOSTS := python blender meshlab manual
+test-hosts: $(addprefix test-,$(HOSTS))
 
 bench:
 	cargo bench --locked
