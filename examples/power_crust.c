@@ -11,7 +11,7 @@ int main(int argc, char **argv) {
         || medax_power_crust_surface(crust, &surface)
         || medax_complex_write(surface, argv[2], NULL, NULL, NULL);
     if (failed)
-        fprintf(stderr, "%s\n", argc == 3 ? medax_last_error_message() : "usage: crust POINTS MESH");
+        fprintf(stderr, "%s\n", argc == 3 ? medax_last_error_message() : "usage: power_crust POINTS MESH");
     else
         printf("%zu samples, %zu faces\n", medax_points_count(points), medax_complex_faces(surface).rows);
     medax_complex_free(surface);

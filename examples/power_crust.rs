@@ -1,5 +1,4 @@
-//! A watertight mesh and the inner medial axis of a file of points:
-//! `cargo run --example power_crust -- POINTS MESH AXIS`.
+//! A watertight mesh of a file of points: `cargo run --example power_crust -- POINTS MESH`.
 
 use medax::crust::PowerCrustOptions;
 use medax::io::{WriteOptions, read_points, write_complex};
@@ -10,12 +9,15 @@ use std::sync::Arc;
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let [points, mesh, axis] = arguments.as_slice() else {
-        eprintln!("usage: power_crust POINTS MESH AXIS");
-        return ExitCode::from(2);
+    let [points, mesh] = arguments.as_slice() else {
+        eprintln!("usage: power_crust POINTS MESH");
+        return ExitCode::FAILURE;
     };
-    match run(points, mesh, axis) {
-        Ok(()) => ExitCode::SUCCESS,
+    match run(points, mesh) {
+        Ok(counts) => {
+            println!("{counts}");
+            ExitCode::SUCCESS
+        }
         Err(error) => {
             eprintln!("{error}");
             ExitCode::FAILURE
@@ -23,13 +25,11 @@ fn main() -> ExitCode {
     }
 }
 
-fn run(points: &str, mesh: &str, axis: &str) -> medax::Result<()> {
+/// Writes the mesh and says what it is made of.
+pub fn run(points: &str, mesh: &str) -> medax::Result<String> {
     let job = Job::default();
     let points = Arc::new(read_points(points, PointsOptions::default(), &job)?);
     let crust = PowerCrust::build(&points, PowerCrustOptions::default(), &job)?;
     write_complex(mesh, crust.surface(), WriteOptions::default(), &job)?;
-    write_complex(axis, crust.inner_shape(), WriteOptions::default(), &job)?;
-    let (poles, faces) = (crust.poles().len(), crust.surface().faces().len());
-    println!("{} samples, {poles} poles, {faces} faces", points.len());
-    Ok(())
+    Ok(format!("{} samples, {} faces", points.len(), crust.surface().faces().len()))
 }
