@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: MIT OR Apache-2.0
+"""medax: exact Delaunay and regular triangulations, poles, power crusts, medial axes, flow complexes, pair-meshes.
+
+    import medax
+    points = medax.Points(xyz)                       # (n, 3) numbers
+    crust = medax.PowerCrust.of(points)              # closed surface, and labels
+    crust.surface.write("surface.ply")
+
+- Every class holds one counted reference to an immutable structure. Copies share it, and any thread may use it.
+- What a structure has is a property, an array among them: read-only, a view of the library's memory, which it keeps
+  alive. What takes an argument, or long, is a method; `complex()` makes what can be drawn or written.
+- Everything long takes `job=`, or `progress=`, `threads=`, `memory_ceiling=`; Ctrl-C cancels it.
+- What fails raises MedaxError, which has `status`, `message`, `index` and `kind`.
+- Lengths are in the units of the input, angles in radians. An enumeration's member may be given by its name.
+"""
+
+from __future__ import annotations
+
+from ._ffi import (
+    CellType,
+    ChainKind,
+    CriticalClass,
+    Crossings,
+    DecideTest,
+    Element,
+    ErrorKind,
+    Label,
+    LabelRule,
+    MedialRule,
+    Omit,
+    PairElement,
+    PairReason,
+    PieceKind,
+    Shape,
+    Side,
+    Status,
+    ValueType,
+)
+from ._library import lib as _lib
+from .error import ArgumentError, MedaxError
+from .view import NONE, Rows
+from .handle import Handle
+from .job import Job, ProgressBar, StageTime, Validation, progress_bar
+from .io import Warnings
+from .points import Points
+from .complex import Attribute, Comparison, Complex, Flattened, Intersections, Measure, Topology
+from .file import File
+from .triangulation import Incidence, Ring, Triangulation
+from .dual import Dual
+from .poles import Poles
+from .crust import PowerCrust, Simplified, Sizes
+from .cocone import Cocone
+from .labels import Labels
+from .medial import Medial, MedialFilter
+from .flow import Core, CoreReport, Flow, Orbits, Simplex
+from .pair import HalfFaces, Pair
+from .sample import Samples, ShapeFacts, describe
+
+#: The version of the loaded library.
+__version__: str = _lib.medax_version_string().decode()
