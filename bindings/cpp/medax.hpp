@@ -9,6 +9,7 @@
 ///   thread may use any of them. An object that was moved from holds none: it has no rows.
 /// - What fails throws medax::Error, or what the progress function threw.
 /// - Views borrow: they are valid while an object that shares the handle lives.
+/// - medax_openmesh.hpp and medax_cgal.hpp, beside this one, bring meshes of OpenMesh and CGAL in and out.
 /// - Units, lengths, costs and errors of each function are in medax.h, under the same name.
 
 #include <medax/error.hpp>
@@ -31,3 +32,4 @@
 #include <medax/distance.hpp>
 #include <medax/balls.hpp>
 #include <medax/sample.hpp>
+#include <medax/convert.hpp>

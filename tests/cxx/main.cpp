@@ -1,6 +1,7 @@
 // The C++ layer: references, exceptions, views, the progress function.
 #include "check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -43,6 +44,15 @@ void errors() {
     const medax::Points points = medax::Points::from(bad, options);
     CHECK(points.count() == 4 && points.skipped_count() == 1);
     CHECK(points.vertex_of_row()[3][0] == medax::none);
+}
+
+void versions() {
+    CHECK(medax::version() == MEDAX_VERSION);
+    const std::string text = medax::version_string();
+    CHECK(std::count(text.begin(), text.end(), '.') == 2);
+    const medax::Error own(MEDAX_STATUS_MISMATCH, "sides differ", MEDAX_ERROR_KIND_FACE, 7);
+    CHECK(own.status() == MEDAX_STATUS_MISMATCH && own.kind() == MEDAX_ERROR_KIND_FACE && own.index() == 7);
+    CHECK(std::strcmp(own.what(), "sides differ") == 0);
 }
 
 void references() {
@@ -144,6 +154,22 @@ void jobs() {
             CHECK(stopped && thrower.is_cancelled());
             CHECK(THROWN(medax::Triangulation::delaunay(larger, {}, thrower)).status()
                   == MEDAX_STATUS_CANCELLED);
+            // The same by a lambda alone: one that only watches, one that cancels at once.
+            int seen = 0;
+            const medax::Job watcher = medax::Job::watched([&](double, const char *) { ++seen; });
+            medax::Triangulation::delaunay(larger, {}, watcher);
+            CHECK(seen > 0 && watcher.progress() == 1 && !watcher.is_cancelled());
+            CHECK(watcher.memory_peak() > 0 && std::strcmp(watcher.times().at(0).stage, "triangulate") == 0);
+            const medax::Job stopper = medax::Job::watched([](double, const char *) { return medax::Next::cancel; });
+            CHECK(THROWN(medax::Triangulation::delaunay(larger, {}, stopper)).status() == MEDAX_STATUS_CANCELLED);
+            // And from another thread.
+            const medax::Job remote;
+            std::thread canceller([remote] {
+                while (remote.progress() == 0) std::this_thread::yield();
+                remote.cancel();
+            });
+            CHECK(THROWN(medax::Triangulation::delaunay(larger, {}, remote)).status() == MEDAX_STATUS_CANCELLED);
+            canceller.join();
             break;
         }
     }
@@ -283,6 +309,11 @@ void crusts() {
     CHECK(file.warnings().empty() && file.points().row_count() == file.vertices().rows());
     CHECK(file.complex().faces().rows() == medax::Complex::read(path).faces().rows());
     CHECK(medax::Points::read(path).write(path + ".xyz").empty());
+    CHECK(poles.complex().write("cxx_poles.ply").empty());
+    const medax::File balls = medax::File::read("cxx_poles.ply");
+    CHECK(balls.attribute_count() == 2 && std::strcmp(balls.attribute(0).name, "radius") == 0);
+    CHECK(balls.attribute(MEDAX_ELEMENT_VERTEX, "radius").f64_values.rows() == poles.balls().rows());
+    std::remove("cxx_poles.ply");
     std::remove(path.c_str());
     std::remove((path + ".xyz").c_str());
     CHECK(THROWN(medax::File::read(path)).status() == MEDAX_STATUS_IO);
@@ -489,6 +520,7 @@ void threads() {
 
 int main() {
     errors();
+    versions();
     references();
     triangulations();
     jobs();

@@ -32,7 +32,7 @@ void pairs() {
     CHECK(pair.inner().vertices().rows() == pair.inner_vertices().rows());
     for (std::uint32_t shell : pair.shells()) CHECK(shell == 0);
 
-    const medax::Pair spine = pair.onto(medax::Complex::create(medax::ComplexParts()));
+    const medax::Pair spine = pair.onto(medax::Complex::from({}));
     CHECK(spine.validate().problems == 0);
     CHECK(spine.inner_vertices().rows() <= pair.inner_vertices().rows());
     for (std::uint32_t reason : spine.reasons()) CHECK(reason != MEDAX_PAIR_REASON_ASKED);

@@ -2,12 +2,13 @@
 #pragma once
 
 /// \file
-/// What a call that fails throws.
+/// What a call that fails throws, and which library answers.
 
 #include <medax.h>
 
 #include <cstdint>
 #include <stdexcept>
+#include <string>
 
 namespace medax {
 
@@ -20,6 +21,11 @@ public:
           status_(status),
           kind_(static_cast<medax_error_kind>(medax_last_error_kind())),
           index_(medax_last_error_index()) {}
+
+    /// One that did not come from the library.
+    Error(medax_status status, const std::string &message, medax_error_kind kind = MEDAX_ERROR_KIND_NONE,
+          std::uint64_t index = UINT64_MAX)
+        : std::runtime_error(message), status_(status), kind_(kind), index_(index) {}
 
     medax_status status() const noexcept { return status_; }
     /// The kind of the offending element, MEDAX_ERROR_KIND_NONE if there is none.
@@ -35,5 +41,10 @@ private:
 
 /// The name of a status, such as MEDAX_STATUS_NON_FINITE.
 inline const char *name(medax_status status) { return medax_status_name(status); }
+
+/// The version of the library that is linked, which is MEDAX_VERSION if the headers are its own.
+inline std::uint32_t version() noexcept { return medax_version(); }
+/// The same as text, such as `0.1.0`.
+inline const char *version_string() noexcept { return medax_version_string(); }
 
 }  // namespace medax

@@ -11,6 +11,7 @@
 #include <exception>
 #include <functional>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,20 @@ public:
     explicit Job(const JobOptions &options = {})
         : Job(std::make_shared<Callback>(Callback{options.progress, nullptr}), options) {}
 
+    /// With a progress function alone: `Job::watched([&](double progress, const char *stage) { ... })`. It returns what is asked
+    /// for, or nothing, and then only watches.
+    template <class Function>
+    static Job watched(Function function) {
+        JobOptions options;
+        if constexpr (std::is_void_v<std::invoke_result_t<Function &, double, const char *>>)
+            options.progress = [function](double progress, const char *stage) mutable {
+                function(progress, stage);
+                return Next::go_on;
+            };
+        else
+            options.progress = std::move(function);
+        return Job(options);
+    }
     /// Stands for a fresh job with default options in each build.
     static Job fresh() noexcept { return Job(nullptr); }
 

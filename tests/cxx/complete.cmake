@@ -1,0 +1,21 @@
+# Every function of medax.h is reachable from C++: each that `symbols` lists is called somewhere in the headers in `folder`, but
+# for these, each with its reason. Comments do not count.
+set(exceptions)
+
+file(STRINGS ${symbols} functions REGEX "^medax_")
+file(GLOB_RECURSE headers ${folder}/*.hpp)
+set(used "")
+foreach(header ${headers})
+  file(READ ${header} text)
+  string(REGEX REPLACE "//[^\n]*" "" text "${text}")
+  string(REGEX MATCHALL "medax_[a-z0-9_]+" found "${text}")
+  list(APPEND used ${found})
+endforeach()
+list(REMOVE_DUPLICATES used)
+set(missing ${functions})
+list(REMOVE_ITEM missing ${used} ${exceptions})
+list(LENGTH functions count)
+if(count LESS 100 OR missing)
+  message(FATAL_ERROR "of ${count} functions these cannot be reached from C++: ${missing}")
+endif()
+message("all ${count} functions are reached")
