@@ -1,8 +1,8 @@
 #!/bin/sh
-# soname.sh LIBDIR CONSUMERS: the links, the SONAME and who needs it.
+# soname.sh LIBDIR SOURCE: the links and the SONAME; and no file that other programs read says where the package was made.
 set -eu
 libdir=$1
-consumers=$2
+source=$2
 
 soname=$(readelf -d "$libdir/libmedax.so" | sed -n 's/.*SONAME.*\[\(.*\)\]/\1/p')
 version=$(sed -n 's/^Version: //p' "$libdir/pkgconfig/medax.pc")
@@ -14,8 +14,8 @@ echo "SONAME $soname, expected $expected for version $version"
 [ "$soname" = "$expected" ]
 [ "$(readlink "$libdir/libmedax.so")" = "$soname" ]
 [ "$(readlink "$libdir/$soname")" = "libmedax.so.$version" ]
-
-needs() { readelf -d "$1" | sed -n 's/.*NEEDED.*\[\(libmedax.*\)\]/\1/p'; }
-echo "the shared consumer needs '$(needs "$consumers/cmake/consumer")', the static one '$(needs "$consumers/cmake_static/consumer")'"
-[ "$(needs "$consumers/cmake/consumer")" = "$soname" ]
-[ -z "$(needs "$consumers/cmake_static/consumer")" ]
+[ -z "$(readelf -d "$libdir/libmedax.so" | grep -E 'RPATH|RUNPATH')" ]
+if grep -rF "$source" "$libdir/cmake/medax" "$libdir/pkgconfig"; then
+    echo "these name $source" >&2
+    exit 1
+fi

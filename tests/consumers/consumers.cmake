@@ -1,0 +1,13 @@
+# The consumers, C99 and C++17, each with the shared library and with the static one.
+set(CMAKE_C_STANDARD 99)
+set(CMAKE_C_EXTENSIONS OFF)
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_EXTENSIONS OFF)
+add_compile_options(-Wall -Wextra -pedantic -Werror)
+foreach(language c cpp)
+  foreach(kind shared static)
+    add_executable(${language}_${kind} consumer.${language})
+  endforeach()
+  target_link_libraries(${language}_shared PRIVATE medax::medax)
+  target_link_libraries(${language}_static PRIVATE medax::static)
+endforeach()
