@@ -6,6 +6,7 @@ import ctypes.util
 import os
 import pathlib
 import sys
+from collections.abc import Iterator
 
 from . import _ffi
 
@@ -17,7 +18,7 @@ def file_name() -> str:
     return {"win32": "medax.dll", "darwin": "libmedax.dylib"}.get(sys.platform, "libmedax.so")
 
 
-def _candidates():
+def _candidates() -> Iterator[str]:
     """What to try, in this order."""
     named = os.environ.get("MEDAX_LIBRARY")
     if named:

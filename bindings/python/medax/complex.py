@@ -427,7 +427,8 @@ def _parts_of(attributes: Optional[AttributesLike]) -> tuple[Any, list[Any]]:
         cols = array.shape[1] if array.ndim == 2 else 1
         if array.dtype.kind == "b":
             array = array.astype(np.uint32)
-        if array.dtype.kind in "iu" and not (array.dtype.kind == "i" and (array < 0).any()):
+        # What indices cannot be, such as negative numbers, are numbers.
+        if array.dtype.kind in "iu" and (not array.size or (array.min() >= 0 and array.max() <= view.NONE)):
             array = view.indices(array, name, cols)
             part.value_type, target = ValueType.U32, part.u32_values
         else:

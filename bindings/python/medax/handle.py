@@ -53,7 +53,8 @@ class Handle:
 
     def __init__(self, *arguments: Any, **options: Any) -> None:
         ways = [name for name in ("of", "read", "delaunay", "voronoi") if hasattr(type(self), name)]
-        raise TypeError(f"{type(self).__name__} is made by {' or '.join(ways) or 'other structures'}, not by calling it")
+        made_by = " or ".join(ways) or "other structures"
+        raise TypeError(f"{type(self).__name__} is made by {made_by}, not by calling it")
 
     @classmethod
     def _take(cls: type[H], owned: Any) -> H:
@@ -188,7 +189,7 @@ def options(struct: Any, **given: Any) -> Any:
         elif kind in _UNSIGNED:
             setattr(made, name, whole(value, name, _UNSIGNED[kind]))
         elif issubclass(kind, ctypes.Array):
-            setattr(made, name, kind(*vector(value, name, kind._length_)))
+            setattr(made, name, kind(*vector(value, name, kind._length_).tolist()))
         else:
             setattr(made, name, value)
     return made

@@ -17,7 +17,8 @@ from typing import TYPE_CHECKING, Any, Callable, Optional, TypedDict
 
 from . import _ffi
 from ._library import lib
-from .error import ErrorKind, MedaxError, Status, check
+from ._ffi import ErrorKind, Status
+from .error import MedaxError, check
 from .handle import Handle, options, report_of, told
 
 if TYPE_CHECKING:
@@ -60,7 +61,11 @@ class Job(Handle, stem="job"):
     """
 
     def __init__(
-        self, *, threads: Optional[int] = None, memory_ceiling: Optional[int] = None, progress: Optional[Progress] = None
+        self,
+        *,
+        threads: Optional[int] = None,
+        memory_ceiling: Optional[int] = None,
+        progress: Optional[Progress] = None,
     ) -> None:
         if progress is not None and not callable(progress):
             raise TypeError(f"progress must be callable, not {progress!r}")

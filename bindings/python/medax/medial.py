@@ -92,11 +92,13 @@ class Medial(Validated, stem="medial"):
     def selected(self, **filter: Unpack[FilterAndHow]) -> Indices:
         """The facets that a filter lets pass, ascending: unbounded ones and those without area as well."""
         given, how = self._filter(dict(filter))
-        facets, count = np.empty(len(self.sines), np.uint32), ctypes.c_size_t()
+        count = ctypes.c_size_t()
+        facets: Indices = np.empty(len(self.sines), np.uint32)
         reference, call = self._ref, lib.medax_medial_selected
         outs = len(facets), pointer(facets), ctypes.byref(count)
         run(how, lambda job: int(call(reference, ctypes.byref(given), job, *outs)))
-        return facets[: count.value].copy()
+        some: Indices = facets[: count.value].copy()
+        return some
 
     def _filter(self, given: dict[str, Any]) -> tuple[Any, How]:
         """The filter, and what else was given."""

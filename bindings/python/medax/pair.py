@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import ctypes
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import TYPE_CHECKING, Any, Optional, TypeVar, Union
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _ffi
 from ._ffi import PairElement
@@ -22,6 +22,8 @@ from .view import Floats, Indices, Rows, floats, pointer
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
+
+D = TypeVar("D", bound=np.generic)
 
 #: Rows of `Pair.locate`: element, piece, weights, t.
 PLACE = np.dtype(_ffi.medax_place)
@@ -125,9 +127,10 @@ class Pair(Validated, stem="pair"):
         """The elements that are turned inside out."""
         count = ctypes.c_size_t()
         found = self._each("folded", np.empty(self.element_count(), np.uint32), how, ctypes.byref(count))
-        return found[: count.value].copy()
+        some: Indices = found[: count.value].copy()
+        return some
 
-    def _each(self, name: str, out: Any, how: How, *more: Any) -> Any:
+    def _each(self, name: str, out: NDArray[D], how: How, *more: Any) -> NDArray[D]:
         reference, call = self._ref, getattr(lib, "medax_pair_" + name)
         run(how, lambda job: int(call(reference, job, pointer(out), *more)))
         return out

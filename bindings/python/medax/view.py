@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _ffi
-from .error import ArgumentError, ErrorKind
+from ._ffi import ErrorKind
+from .error import ArgumentError
 
 #: "No such element": the only sentinel in any array of indices.
 NONE = _ffi.NONE
@@ -209,7 +210,8 @@ def rows(value: RowsLike, name: str) -> Rows:
         return value
     if isinstance(value, tuple) and len(value) == 2 and all(isinstance(part, np.ndarray) for part in value):
         offsets, inside = indices(value[0], f"{name} (offsets)"), indices(value[1], f"{name} (indices)")
-        if len(offsets) == 0 or offsets[0] != 0 or offsets[-1] != len(inside) or (np.diff(offsets.astype(np.int64)) < 0).any():
+        falls = (np.diff(offsets.astype(np.int64)) < 0).any()
+        if len(offsets) == 0 or offsets[0] != 0 or offsets[-1] != len(inside) or falls:
             raise ArgumentError(f"{name}: offsets ascend from 0 to the number of indices, {len(inside)}")
         return Rows(offsets, inside)
     if isinstance(value, np.ndarray) and value.ndim == 2:
