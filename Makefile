@@ -9,7 +9,7 @@ COUNTED := --features count-stages --test predicates
 HOST = $(shell rustc -vV | sed -n 's/^host: //p')
 CONFIGURE := cmake -S . -B $(BUILD)/medax
 
-.PHONY: help demo test test-rust moved test-package test-hosts bench bench-peers bench-nearest peers results medial flow pair field figure3 three-lines convergence stress tsan header doc install clean
+.PHONY: help demo test test-rust moved test-package test-hosts test-meshlab bench bench-peers bench-nearest peers results medial flow pair field figure3 three-lines convergence stress tsan header doc install clean
 .DEFAULT_GOAL := help
 
 help:
@@ -73,6 +73,14 @@ test-package: moved
 # Where people already work, a part for each host: each in its real host, through the package or a wheel.
 HOSTS := python blender meshlab manual
 test-hosts: $(addprefix test-,$(HOSTS))
+
+# The plugin, built against Debian's source of MeshLab and run in Debian's MeshLab.
+test-meshlab: moved
+	@cmake/requirements.sh test-meshlab
+	bindings/meshlab/source.sh $(BUILD)/meshlab
+	cmake -S bindings/meshlab -B $(BUILD)/meshlab/plugin -G Ninja -DCMAKE_PREFIX_PATH=$(MOVED) -DMESHLAB_SOURCE=$(BUILD)/meshlab/source/src -DFILTER_MEDAX_TESTS=ON
+	cmake --build $(BUILD)/meshlab/plugin
+	ctest --test-dir $(BUILD)/meshlab/plugin --output-on-failure
 
 bench:
 	cargo bench --locked

@@ -1,13 +1,13 @@
 #!/bin/sh
 # Makes sure that what a make target needs is on this machine:
-# `cmake/requirements.sh demo|install|test|bench-peers`.
+# `cmake/requirements.sh demo|install|test|test-meshlab|bench-peers`.
 #
 # What is missing is installed with apt-get where that is possible (root, Debian or a relative of
 # it), and named first. Elsewhere the list is printed and the script fails. Nothing is touched when
 # everything is there.
 set -eu
 
-target=${1:?"usage: $0 demo|install|test|bench-peers"}
+target=${1:?"usage: $0 demo|install|test|test-meshlab|bench-peers"}
 packages=''
 others=''
 
@@ -42,6 +42,19 @@ if [ "$target" = test ]; then
     have valgrind || missing_package valgrind
     python3 -c 'import ensurepip, venv' >/dev/null 2>&1 || missing_package python3-venv
     have_header OpenMesh/Core/System/config.h || missing_package libopenmesh-dev
+fi
+if [ "$target" = test-meshlab ]; then
+    have c++ || missing_package g++
+    have ninja || missing_package ninja-build
+    have meshlabserver || missing_package meshlab
+    # xvfb-run needs xauth, and does not ask for it.
+    have xvfb-run || missing_package xvfb
+    have xauth || missing_package xauth
+    # Qt's headers lie where only its packages say.
+    have moc || missing_package qtbase5-dev
+    dpkg -s libqt5opengl5-dev >/dev/null 2>&1 || missing_package libqt5opengl5-dev
+    have_header GL/glew.h || missing_package libglew-dev
+    have_header eigen3/Eigen/Core || missing_package libeigen3-dev
 fi
 
 if [ -n "$others" ]; then
