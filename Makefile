@@ -9,7 +9,7 @@ COUNTED := --features count-stages --test predicates
 HOST = $(shell rustc -vV | sed -n 's/^host: //p')
 CONFIGURE := cmake -S . -B $(BUILD)/medax
 
-.PHONY: help demo test test-rust moved test-package test-hosts test-meshlab bench bench-peers bench-nearest peers results medial flow pair field figure3 three-lines convergence stress tsan header doc install clean
+.PHONY: help demo test test-rust moved test-package test-hosts test-meshlab test-manual bench bench-peers bench-nearest peers results medial flow pair field figure3 three-lines convergence stress tsan header doc docs gallery install clean
 .DEFAULT_GOAL := help
 
 help:
@@ -31,6 +31,8 @@ help:
 	@echo 'make install PREFIX=   the library, its headers and packages, the program'
 	@echo 'make header            write include/medax.h anew from src/capi'
 	@echo 'make doc               the Rust documentation, in target/doc'
+	@echo 'make docs              the manual with the C reference, in build/manual; gets Sphinx from PyPI'
+	@echo 'make gallery           pictures of what parameters do, and the figures of the papers: docs/gallery.md; needs pyvista and pillow'
 	@echo 'make clean             remove target/, build/ and out/'
 
 demo:
@@ -81,6 +83,10 @@ test-meshlab: moved
 	cmake -S bindings/meshlab -B $(BUILD)/meshlab/plugin -G Ninja -DCMAKE_PREFIX_PATH=$(MOVED) -DMESHLAB_SOURCE=$(BUILD)/meshlab/source/src -DFILTER_MEDAX_TESTS=ON
 	cmake --build $(BUILD)/meshlab/plugin
 	ctest --test-dir $(BUILD)/meshlab/plugin --output-on-failure
+
+# The manual without warnings, and its links.
+test-manual: docs
+	python3 tests/manual/links.py . $(BUILD)/manual
 
 bench:
 	cargo bench --locked
@@ -159,6 +165,28 @@ header:
 
 doc:
 	RUSTDOCFLAGS='-D warnings' cargo doc --locked --no-deps
+
+# Sphinx, in an environment of its own.
+SPHINX := $(BUILD)/sphinx
+$(SPHINX)/ready: docs/manual/requirements.txt
+	@cmake/requirements.sh docs
+	python3 -m venv $(SPHINX)
+	$(SPHINX)/bin/pip install --quiet --disable-pip-version-check -r $<
+	touch $@
+
+# The pages of docs/ by Sphinx, the C reference by Doxygen; a warning is an error.
+docs: $(SPHINX)/ready
+	@cmake/requirements.sh docs
+	rm -rf $(BUILD)/manual $(BUILD)/doxygen
+	doxygen docs/manual/Doxyfile
+	PYTHONDONTWRITEBYTECODE=1 $(SPHINX)/bin/sphinx-build -q -W --keep-going -b html -d $(BUILD)/doctrees docs $(BUILD)/manual
+	mv $(BUILD)/doxygen/html $(BUILD)/manual/c
+
+# Some minutes.
+gallery:
+	cargo build --release --locked
+	python3 benches/parameters.py target/release/medax $(MODELS) docs/gallery
+	python3 benches/gallery.py target/release/medax $(MODELS) docs
 
 install:
 	@cmake/requirements.sh install

@@ -1,13 +1,13 @@
 #!/bin/sh
 # Makes sure that what a make target needs is on this machine:
-# `cmake/requirements.sh demo|install|test|test-meshlab|bench-peers`.
+# `cmake/requirements.sh demo|install|test|test-meshlab|bench-peers|docs`.
 #
 # What is missing is installed with apt-get where that is possible (root, Debian or a relative of
 # it), and named first. Elsewhere the list is printed and the script fails. Nothing is touched when
 # everything is there.
 set -eu
 
-target=${1:?"usage: $0 demo|install|test|test-meshlab|bench-peers"}
+target=${1:?"usage: $0 demo|install|test|test-meshlab|bench-peers|docs"}
 packages=''
 others=''
 
@@ -18,10 +18,14 @@ missing_other() { others="$others
 have() { command -v "$1" >/dev/null 2>&1; }
 have_header() { printf '#include <%s>\n' "$1" | c++ -std=c++17 -E -x c++ - >/dev/null 2>&1; }
 
-have cargo || missing_other 'Rust with cargo: https://rustup.rs or your distribution'
-have cc || missing_package gcc
-
-if [ "$target" != demo ]; then
+if [ "$target" = docs ]; then
+    have doxygen || missing_package doxygen
+    python3 -c 'import ensurepip, venv' >/dev/null 2>&1 || missing_package python3-venv
+else
+    have cargo || missing_other 'Rust with cargo: https://rustup.rs or your distribution'
+    have cc || missing_package gcc
+fi
+if [ "$target" != demo ] && [ "$target" != docs ]; then
     have cmake || missing_package cmake
 fi
 if [ "$target" = test ] || [ "$target" = bench-peers ]; then
