@@ -17,6 +17,8 @@ myst_heading_anchors = 4
 smartquotes = False
 
 html_theme = "furo"
+html_static_path = ["manual/static"]
+html_css_files = ["wide.css"]
 html_title = f"medax {version}"
 html_show_sphinx = False
 html_show_copyright = False
