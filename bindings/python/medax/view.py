@@ -142,10 +142,9 @@ def real(array: NDArray[Any], name: str) -> NDArray[Any]:
     if kind == "f" and array.dtype.itemsize <= 8:
         return array
     if kind in "iu":
-        floats = array.astype(np.float64)
-        if array.dtype.itemsize == 8 and array.size and bool((np.abs(floats) > 2.0**53).any()):
+        if array.dtype.itemsize == 8 and array.size and (array.max() > 2**53 or array.min() < -(2**53)):
             raise ArgumentError(f"{name}: integers beyond 2**53 are no float64")
-        return floats
+        return array.astype(np.float64)
     if array.size == 0 and kind in "bO":
         return array.astype(np.float64)
     raise ArgumentError(f"{name}: {array.dtype} cannot be converted to float64 without loss")
