@@ -155,7 +155,7 @@ Mesh mesh(const Complex &complex, std::vector<std::uint32_t> *left_out = nullptr
         rows.push_back(static_cast<std::uint32_t>(v));
     }
     const Rows rings = complex.faces();
-    medax::detail::Fitting fitting(xyz.rows(), rings.indices().size());
+    medax::detail::Fitting fitting(xyz.rows(), rings);
     for (std::uint32_t f = 0; f < rings.rows(); ++f) {
         auto added = Mesh::null_face();
         if (fitting.take(rings[f])) {

@@ -129,25 +129,29 @@ Mesh mesh(const Complex &complex, std::vector<std::uint32_t> *left_out = nullptr
         vertices.push_back(mesh.add_vertex(detail::vector<typename Mesh::Point>(xyz[v])));
         rows.push_back(static_cast<std::uint32_t>(v));
     }
-    medax::detail::Fitting fitting(xyz.rows(), complex.faces().indices().size());
     std::vector<VertexHandle> ring;
-    const auto add = [&](Span<std::uint32_t> corners, std::uint32_t face) {
-        FaceHandle added;
-        if (fitting.take(corners)) {
-            ring.clear();
-            for (const std::uint32_t v : corners) ring.push_back(vertices[v]);
-            added = mesh.add_face(ring);
+    const auto add_all = [&](const auto &rings, auto &&face_of) {
+        medax::detail::Fitting fitting(xyz.rows(), rings);
+        for (std::size_t i = 0; i < rings.rows(); ++i) {
+            FaceHandle added;
+            if (fitting.take(rings[i])) {
+                ring.clear();
+                for (const std::uint32_t v : rings[i]) ring.push_back(vertices[v]);
+                added = mesh.add_face(ring);
+            }
+            const std::uint32_t face = face_of(i);
+            if (added.is_valid()) {
+                faces.push_back(added);
+                face_rows.push_back(face);
+            } else {
+                medax::detail::left_out(face, left_out);
+            }
         }
-        if (!added.is_valid()) return medax::detail::left_out(face, left_out);
-        faces.push_back(added);
-        face_rows.push_back(face);
     };
-    if constexpr (Mesh::IsTriMesh) {
-        for (std::size_t t = 0; t < complex.triangles().rows(); ++t)
-            add(complex.triangles()[t], complex.face_of_triangle()[t][0]);
-    } else {
-        for (std::size_t f = 0; f < complex.faces().rows(); ++f) add(complex.faces()[f], static_cast<std::uint32_t>(f));
-    }
+    if constexpr (Mesh::IsTriMesh)
+        add_all(complex.triangles(), [&](std::size_t t) { return complex.face_of_triangle()[t][0]; });
+    else
+        add_all(complex.faces(), [](std::size_t f) { return static_cast<std::uint32_t>(f); });
     for (std::size_t i = 0; i < complex.attribute_count(); ++i) {
         const Attribute attribute = complex.attribute(i);
         const bool is_normal = attribute.name == std::string("normal") && attribute.f64_values.cols() == 3;

@@ -7,6 +7,9 @@
 
 #include "converters.hpp"
 
+#include <numeric>
+#include <random>
+
 namespace {
 
 struct Doubles : OpenMesh::DefaultTraits {
@@ -125,12 +128,47 @@ void what_does_not_fit() {
     }
 }
 
+/// Faces at random on few vertices: those are left out that OpenMesh itself would refuse, and none of the others.
+void refused_by_openmesh() {
+    omerr().disable();
+    std::mt19937 random(1);
+    std::size_t all = 0, refused = 0;
+    for (int round = 0; round < 2000; ++round) {
+        const std::uint32_t count = 4 + random() % 6;
+        std::vector<medax::Point> places(count);
+        for (std::uint32_t v = 0; v < count; ++v) places[v] = {0.0 + v, 0.0 + v * v, 0.0 + v * v * v};
+        std::vector<std::vector<std::uint32_t>> rings(3 + random() % 15);
+        for (auto &ring : rings) {
+            ring.resize(count);
+            std::iota(ring.begin(), ring.end(), 0u);
+            for (std::uint32_t v = count - 1; v > 0; --v) std::swap(ring[v], ring[random() % (v + 1)]);
+            ring.resize(3 + random() % 2);
+        }
+        std::vector<std::uint32_t> left_out, expected;
+        medax::openmesh::mesh<PolyMesh>(polygons(places, rings), &left_out);
+        PolyMesh plain;
+        std::vector<PolyMesh::VertexHandle> vertices, ring;
+        for (const medax::Point &place : places) vertices.push_back(plain.add_vertex({place[0], place[1], place[2]}));
+        for (std::uint32_t f = 0; f < rings.size(); ++f) {
+            ring.clear();
+            for (const std::uint32_t v : rings[f]) ring.push_back(vertices[v]);
+            if (!plain.add_face(ring).is_valid()) expected.push_back(f);
+        }
+        CHECK(left_out == expected);
+        all += rings.size();
+        refused += expected.size();
+    }
+    CHECK(refused > all / 4 && refused < all);
+    omerr().enable();
+}
+
 }  // namespace
 
 int main() {
     there_and_back();
     results();
     what_does_not_fit();
+    refused_by_openmesh();
     std::printf("%u passed, %u failed\n", passed, failed);
     return failed == 0 ? 0 : 1;
 }

@@ -7,11 +7,11 @@
 
 #include <medax/complex.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -60,51 +60,85 @@ std::vector<T> by_vertex(const Points &points, const std::vector<T> &of_rows) {
 
 namespace detail {
 
-/// Faces one by one, each only if a halfedge structure can take it.
+/// Rings one by one, each only if a halfedge structure can take it beside those that it has.
 class Fitting {
 public:
-    Fitting(std::size_t vertices, std::size_t sides) : faces_at_(vertices), closed_(vertices) {
-        sides_.reserve(sides);
+    /// Of all rings that may come: Rows, or a View of triangles.
+    template <class Rings>
+    Fitting(std::size_t vertices, const Rings &rings) : begin_(vertices + 1), faces_at_(vertices), closed_(vertices) {
+        std::size_t sides = 0;
+        for (std::size_t f = 0; f < rings.rows(); ++f)
+            for (const std::uint32_t v : rings[f]) ++begin_[v], ++sides;
+        for (std::size_t v = 0, sum = 0; v <= vertices; ++v) begin_[v] = sum += begin_[v];
+        to_.resize(sides);
+        before_.resize(sides, none);
+        for (std::size_t f = 0; f < rings.rows(); ++f) {
+            const Span<std::uint32_t> ring = rings[f];
+            for (std::size_t i = 0; i < ring.size(); ++i) to_[--begin_[ring[i]]] = next(ring, i);
+        }
+        for (std::size_t v = 0; v < vertices; ++v) std::sort(to_.begin() + place(v), to_.begin() + place(v + 1));
     }
 
     /// Whether the ring fits those that were taken; it is taken then.
-    template <class Ring>
-    bool take(const Ring &ring) {
+    bool take(Span<std::uint32_t> ring) {
         const std::size_t n = ring.size();
         for (std::size_t i = 0; i < n; ++i)
-            if (closed_[ring[i]] || sides_.count(key(ring[i], ring[(i + 1) % n])) != 0) return false;
-        for (std::size_t i = 0; i < n; ++i) sides_.emplace(key(ring[i], ring[(i + 1) % n]), ring[(i + n - 1) % n]);
-        bool fits = true;
-        std::size_t i = 0;
-        for (; i < n && fits; ++i) {
+            if (closed_[ring[i]] || before(ring[i], next(ring, i)) != none) return false;
+        for (std::size_t i = 0; i < n; ++i) {
+            before_[find(ring[i], next(ring, i))] = previous(ring, i);
             ++faces_at_[ring[i]];
-            const std::uint32_t around = turn(ring[i], ring[(i + 1) % n]);
+        }
+        bool fits = true;
+        for (std::size_t i = 0; i < n && fits; ++i) {
+            const std::uint32_t around = turn(ring, i);
             fits = around == 0 || around == faces_at_[ring[i]];
             closed_[ring[i]] = around != 0;
         }
-        if (fits) return true;
-        while (i > 0) --faces_at_[ring[--i]], closed_[ring[i]] = false;
-        for (i = 0; i < n; ++i) sides_.erase(key(ring[i], ring[(i + 1) % n]));
-        return false;
+        for (std::size_t i = 0; i < n && !fits; ++i) {
+            before_[find(ring[i], next(ring, i))] = none;
+            --faces_at_[ring[i]];
+            closed_[ring[i]] = false;
+        }
+        return fits;
     }
 
 private:
-    static std::uint64_t key(std::uint64_t from, std::uint64_t to) noexcept { return from << 32 | to; }
+    static std::uint32_t next(Span<std::uint32_t> ring, std::size_t i) noexcept {
+        return ring[i + 1 < ring.size() ? i + 1 : 0];
+    }
+    static std::uint32_t previous(Span<std::uint32_t> ring, std::size_t i) noexcept {
+        return ring[(i > 0 ? i : ring.size()) - 1];
+    }
+    std::ptrdiff_t place(std::size_t vertex) const noexcept { return static_cast<std::ptrdiff_t>(begin_[vertex]); }
 
-    /// The number of faces round a corner if they close, 0 if they do not.
-    std::uint32_t turn(std::uint32_t corner, std::uint32_t first) const {
+    /// The place of a side, or the number of sides.
+    std::size_t find(std::uint32_t from, std::uint32_t to) const {
+        const auto end = to_.begin() + place(from + std::size_t{1});
+        const auto found = std::lower_bound(to_.begin() + place(from), end, to);
+        return found != end && *found == to ? static_cast<std::size_t>(found - to_.begin()) : to_.size();
+    }
+    /// The vertex before a side in the ring that was taken with it, or none.
+    std::uint32_t before(std::uint32_t from, std::uint32_t to) const {
+        const std::size_t side = find(from, to);
+        return side < to_.size() ? before_[side] : none;
+    }
+    /// The number of faces round a corner of a ring if they close, 0 if they do not.
+    std::uint32_t turn(Span<std::uint32_t> ring, std::size_t corner) const {
+        const std::uint32_t v = ring[corner], first = next(ring, corner);
+        // Only a face with neighbours on both sides can close them: so a long fan is walked seldom.
+        if (before(first, v) == none) return 0;
         std::uint32_t count = 0, to = first;
         do {
-            const auto side = sides_.find(key(corner, to));
-            if (side == sides_.end()) return 0;
-            to = side->second;
+            to = before(v, to);
+            if (to == none) return 0;
             ++count;
         } while (to != first);
         return count;
     }
 
-    /// From the ends of each side, in its face's direction, to the vertex that comes before it.
-    std::unordered_map<std::uint64_t, std::uint32_t> sides_;
+    /// Where the sides from each vertex begin; their other ends, in order; what is before each where it was taken.
+    std::vector<std::size_t> begin_;
+    std::vector<std::uint32_t> to_, before_;
     std::vector<std::uint32_t> faces_at_;
     std::vector<bool> closed_;
 };
