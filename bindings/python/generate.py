@@ -57,6 +57,11 @@ class Header:
         self.version = tuple(
             int(re.search(rf"#define MEDAX_VERSION_{part} (\d+)", text)[1]) for part in ("MAJOR", "MINOR", "PATCH")
         )
+        # Enumerations keep the text above them.
+        self.told = {
+            name: " ".join(re.sub(r"^\s*\* ?", "", said, flags=re.M).split())
+            for said, name in re.findall(r"/\*\*((?:(?!\*/).)*)\*/\s*enum (medax_\w+)", text, flags=re.S)
+        }
         text = re.sub(r"/\*.*?\*/", " ", text, flags=re.S)
         text = re.sub(r"#define MEDAX_VERSION \\\n(.*\\\n)*.*\n", "", text)
         text = re.sub(r"^\s*#.*$", "", text, flags=re.M)
@@ -134,7 +139,7 @@ def generated(header_text):
     header = Header(header_text)
     lines = [HEAD, f"VERSION = {header.version}", "NONE = 0xFFFFFFFF", ""]
     for name, values in header.enums.items():
-        lines += ["", f"class {camel(name)}(Choice):"]
+        lines += ["", f"class {camel(name)}(Choice):", f'    """{header.told[name]}"""', ""]
         prefix = name.upper() + "_"
         lines += [f"    {value.removeprefix(prefix)} = {number}" for value, number in values] + [""]
     for name in header.handles:

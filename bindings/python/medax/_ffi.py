@@ -22,6 +22,8 @@ NONE = 0xFFFFFFFF
 
 
 class Status(Choice):
+    """What a fallible function returns. 1-19 lie with the caller or the data, 20-39 with the run, 40-59 with files. Numbers are never reused."""
+
     OK = 0
     NULL_ARGUMENT = 1
     INVALID_ARGUMENT = 2
@@ -41,6 +43,8 @@ class Status(Choice):
 
 
 class ErrorKind(Choice):
+    """The kind of the element that an error points at."""
+
     NONE = 0
     ROW = 1
     LINE = 2
@@ -55,6 +59,8 @@ class ErrorKind(Choice):
 
 
 class Element(Choice):
+    """The kinds of elements of a complex."""
+
     VERTEX = 0
     EDGE = 1
     FACE = 2
@@ -62,28 +68,38 @@ class Element(Choice):
 
 
 class ValueType(Choice):
+    """The type of an attribute's values."""
+
     F64 = 0
     U32 = 1
 
 
 class Omit(Choice):
+    """What is left out where the Voronoi cell of a sample is not long and thin: where one of its poles is nearer than the cell's width allows for the spacing `lambda` (section 6 of the paper)."""
+
     NOTHING = 0
     SIDE = 1
     BOTH = 2
 
 
 class Label(Choice):
+    """The side of the surface on which a pole lies."""
+
     OUTER = 0
     INNER = 1
 
 
 class LabelRule(Choice):
+    """How poles are labelled."""
+
     AUTO = 0
     SPREAD = 1
     LEAST_CONFLICT = 2
 
 
 class MedialRule(Choice):
+    """Which of the two conditions of the paper decide whether a facet belongs to the axis."""
+
     ANGLE_OR_RATIO = 0
     ANGLE = 1
     RATIO = 2
@@ -91,36 +107,48 @@ class MedialRule(Choice):
 
 
 class Side(Choice):
+    """The side of the surface on which an axis lies. The first two are those of #medax_label."""
+
     OUTER = 0
     INNER = 1
     BOTH = 2
 
 
 class CriticalClass(Choice):
+    """Where a critical point belongs."""
+
     SURFACE = 0
     INNER = 1
     OUTER = 2
 
 
 class PairElement(Choice):
+    """The kinds of elements. (Shaham, Shamir, Cohen-Or 2004, figure 1.)"""
+
     FACE_VERTEX = 1
     EDGE_EDGE = 2
     VERTEX_FACE = 3
 
 
 class PairReason(Choice):
+    """Why a face or a loose edge of the inner structure is there."""
+
     ASKED = 0
     ENCLOSED = 1
     UNSEEN = 2
 
 
 class CellType(Choice):
+    """The shape of a volume cell; its vertices are in VTK's order."""
+
     TETRAHEDRON = 1
     PYRAMID = 2
     POLYGONAL_PYRAMID = 3
 
 
 class ChainKind(Choice):
+    """What a chain of a figure is."""
+
     OUTER = 0
     HOLE = 1
     POLYLINE = 2
@@ -128,11 +156,15 @@ class ChainKind(Choice):
 
 
 class Crossings(Choice):
+    """What becomes of curves that cross or touch, and of polygons in the wrong place."""
+
     REFUSE = 0
     ACCEPT = 1
 
 
 class PieceKind(Choice):
+    """What a piece is."""
+
     POINT = 0
     SEGMENT = 1
     RAY = 2
@@ -142,6 +174,8 @@ class PieceKind(Choice):
 
 
 class DecideTest(Choice):
+    """Which test has found a medial point."""
+
     NONE = 0
     OPPOSITE = 1
     SIDES = 2
@@ -149,6 +183,8 @@ class DecideTest(Choice):
 
 
 class Shape(Choice):
+    """A solid of known form."""
+
     TORUS = 0
     BOX = 1
     CAPSULE = 2

@@ -130,7 +130,7 @@ def core(
     inside: str = "cocone",
     **how: Unpack[How],
 ) -> list[int]:
-    """Layer "Core": the axis that is connected as the solid is, by the flow of the distance to the vertices, with radii.
+    """Layer "Core": an axis that is connected as the solid is, by the flow of the distance to the vertices, with radii.
 
     - `side`: "inner", "outer", "both".
     - `repair`: as much flow is added as the inner core needs to have the homotopy type of the solid.
@@ -139,7 +139,7 @@ def core(
     - `inside`: as for `axis`.
     """
     steps = _Steps(how)
-    filter = dict(extend) if isinstance(extend, Mapping) else {}
+    filter: dict[str, Any] = dict(extend) if isinstance(extend, Mapping) else {}
     _known(filter, MedialFilter)
     which = Side.of(side)
     taken = _taken(meshes)
@@ -147,7 +147,7 @@ def core(
     flow = Flow.of(dual, labels, job=steps.until(0.7))
     facets = None
     if extend is not None and extend is not False:
-        medial = Medial.of(dual, labels, job=steps.until(0.8))
+        medial = _medial(dual, labels, filter, 0.8, steps)
         facets = medial.selected(**{"side": which, **filter}, job=steps.until(0.82))
     made, report = flow.core(facets, side=which, repair=repair, job=steps.until(1))
     if not len(made.vertices):
@@ -169,8 +169,8 @@ def thickness(
     """Layer "Thickness": the mesh again, with the thickness of the solid at each vertex as its scalar, the diameter of
     the inner ball that touches the surface there; NaN where there is none.
 
-    - `size`: "thickness", or "feature_size", the distance to the medial axis; then the layer is "Feature Size". Both are
-      custom attributes.
+    - `size`: "thickness", or "feature_size", the distance to the medial axis; then the layer is "Feature Size". Both
+      are custom attributes.
     - `faces`: a sample is taken on the faces, which must close the solid and point out of it; else the vertices are
       the sample. By default wherever there are faces.
     - `spacing`: the least distance between samples on the faces: near edges and in thin walls the thickness is as exact
@@ -210,7 +210,7 @@ def iso_surface(
     inside: str = "cocone",
     **options: Unpack[FilterAndHow],
 ) -> list[int]:
-    """Layer "Iso-surface 0.5": the closed surface a share `t` of the way from an inner structure (0) to the boundary
+    """Layer "Iso-surface 50%": the closed surface a share `t` of the way from an inner structure (0) to the boundary
     (1), which goes through the vertices; one layer for each `t`.
 
     - `onto`: the inner structure: the medial axis ("axis"), the core ("core"), or the whole inner Voronoi diagram
@@ -225,7 +225,7 @@ def iso_surface(
         raise ArgumentError(f"{', '.join(given)}: a filter is for the axis")
     if Side.of(given.get("side") or "inner") != Side.INNER or given.get("clip") is not None:
         raise ArgumentError("a pair-mesh is made with the inner axis, unclipped")
-    shares = [number(each, "t") for each in ([t] if np.ndim(t) == 0 else list(t))]  # type: ignore[arg-type, list-item]
+    shares = [number(each, "t") for each in ([t] if np.ndim(t) == 0 else list(t))]  # type: ignore[arg-type]
     taken = _taken(meshes)
     dual, labels = _diagram(taken, inside, 0.4, steps)
     part = None
@@ -239,7 +239,8 @@ def iso_surface(
     made = []
     for done, share in enumerate(shares, 1):
         found = pair.iso_surface(share, job=steps.until(0.9 + 0.1 * done / len(shares)))
-        made.append(_Layers(f"Iso-surface {share:g}", found))
+        # MeshLab takes what follows a point for a file's ending, and numbers names before it.
+        made.append(_Layers(f"Iso-surface {100 * share:g}%", found))
     steps.end()
     return _add(meshes, made)
 
@@ -267,7 +268,6 @@ class _Steps:
 
     def _tell(self, fraction: float, stage: str) -> Any:
         share = self._from + fraction * (self._to - self._from)
-        # A 1 is the end: the last build may still be asked for more.
         self._told, self._stage = share, stage
         answer = self._progress(share, stage)  # type: ignore[misc]
         # A build that is done hears no answer: the next one shall.
@@ -317,9 +317,10 @@ def _taken(meshes: Any) -> _Taken:
     module = _module("pymeshlab")
     if not isinstance(meshes, module.MeshSet):
         raise TypeError(f"a pymeshlab.MeshSet is needed, not {type(meshes).__name__}")
-    if not meshes.mesh_number():
-        raise ArgumentError("the MeshSet has no mesh")
-    mesh = meshes.current_mesh()
+    try:
+        mesh = meshes.current_mesh()
+    except module.PyMeshLabException:
+        raise ArgumentError("the MeshSet has no current mesh") from None
     if not mesh.vertex_number():
         raise MedaxError(Status.TOO_FEW_POINTS, f"the current mesh, {mesh.label()!r}, has no vertices")
     if not mesh.is_compact():
@@ -357,11 +358,13 @@ def _diagram(taken: _Taken, inside: str, end: float, steps: _Steps) -> tuple[Dua
     return dual, Labels.of(dual, solid, job=steps.until(end))
 
 
-def _axis(dual: Dual, labels: Labels, filter: dict[str, Any], end: float, steps: _Steps) -> Complex:
-    # Scales cost far more than all the rest.
-    scales = True if filter.get("scale") else None
-    medial = Medial.of(dual, labels, scales=scales, job=steps.until(end - 0.1))
-    made = medial.axis(**filter, job=steps.until(end))
+def _medial(dual: Dual, labels: Labels, filter: Mapping[str, Any], end: float, steps: _Steps) -> Medial:
+    # Scales cost far more than all the rest: only for a filter that asks for them.
+    return Medial.of(dual, labels, scales=bool(filter.get("scale")), job=steps.until(end))
+
+
+def _axis(dual: Dual, labels: Labels, filter: Any, end: float, steps: _Steps) -> Complex:
+    made = _medial(dual, labels, filter, end - 0.1, steps).axis(**filter, job=steps.until(end))
     if not len(made.faces):
         raise ArgumentError("no Voronoi facet passes: take a smaller theta or rho")
     return made
@@ -403,7 +406,7 @@ def _layers(named: _Layers) -> list[tuple[str, Any]]:
     is_loose[triangles] = False
     is_loose[edges] = False
     none = np.empty((0, 3), np.int32), np.empty((0, 2), np.int32)
-    parts = [
+    parts: list[tuple[str, NDArray[Any], NDArray[Any], NDArray[Any]]] = [
         ("", np.unique(triangles), triangles, none[1]),
         (" (edges)", np.unique(edges), none[0], edges),
         (" (points)", np.flatnonzero(is_loose), *none),
