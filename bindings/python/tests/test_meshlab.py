@@ -1,20 +1,20 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
 """medax.meshlab with the real PyMeshLab."""
 
+import importlib.util
 import pathlib
 import re
 import threading
-import warnings
 
 import numpy as np
 import pytest
 
 import medax
 
-# Extension modules made by SWIG or pybind11 may warn when they are loaded; that is not medax's business.
-with warnings.catch_warnings():
-    warnings.simplefilter("ignore")
-    pymeshlab = pytest.importorskip("pymeshlab", reason="PyMeshLab is not installed", exc_type=ImportError)
+if importlib.util.find_spec("pymeshlab") is None:
+    pytest.skip("PyMeshLab is not installed", allow_module_level=True)
+
+import pymeshlab  # noqa: E402
 
 from medax import meshlab  # noqa: E402
 
