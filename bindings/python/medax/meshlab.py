@@ -139,6 +139,8 @@ def core(
     - `inside`: as for `axis`.
     """
     steps = _Steps(how)
+    if not isinstance(extend, (Mapping, bool, type(None))):
+        raise TypeError(f"extend must be a filter, such as {{'theta': 0.4}}, not {extend!r}")
     filter: dict[str, Any] = dict(extend) if isinstance(extend, Mapping) else {}
     _known(filter, MedialFilter)
     which = Side.of(side)

@@ -175,6 +175,9 @@ def test_a_core_is_extended_by_facets(torus):
         torus.set_current_mesh(0)
         faces.append(torus.mesh(meshlab.core(torus, extend=extend)[0]).face_number())
     assert faces[0] == faces[1] == 0 < faces[2] < faces[3]
+    for wrong in (0.8, {"thetta": 0.8}):
+        with pytest.raises(TypeError, match="thett?a"):
+            meshlab.core(torus, extend=wrong)
 
 
 def test_edges_and_points_beside_faces_are_layers_of_their_own():
