@@ -154,12 +154,19 @@ void jobs() {
             CHECK(stopped && thrower.is_cancelled());
             CHECK(THROWN(medax::Triangulation::delaunay(larger, {}, thrower)).status()
                   == MEDAX_STATUS_CANCELLED);
-            // The same by a lambda alone: one that only watches, one that cancels at once.
+            // The same by a lambda alone: one that throws and returns nothing, one that cancels.
             int seen = 0;
-            const medax::Job watcher = medax::Job::watched([&](double, const char *) { ++seen; });
-            medax::Triangulation::delaunay(larger, {}, watcher);
-            CHECK(seen > 0 && watcher.progress() == 1 && !watcher.is_cancelled());
-            CHECK(watcher.memory_peak() > 0 && std::strcmp(watcher.times().at(0).stage, "triangulate") == 0);
+            const medax::Job watcher = medax::Job::watched([&](double, const char *) {
+                ++seen;
+                throw Stop();
+            });
+            stopped = false;
+            try {
+                medax::Triangulation::delaunay(larger, {}, watcher);
+            } catch (const Stop &) {
+                stopped = true;
+            }
+            CHECK(stopped && seen == 1 && watcher.is_cancelled() && watcher.progress() < 1);
             const medax::Job stopper = medax::Job::watched([](double, const char *) { return medax::Next::cancel; });
             CHECK(THROWN(medax::Triangulation::delaunay(larger, {}, stopper)).status() == MEDAX_STATUS_CANCELLED);
             // And from another thread.
@@ -174,6 +181,10 @@ void jobs() {
         }
     }
     CHECK(calls == 2);
+    const medax::Job quiet = medax::Job::watched([](double, const char *) {});
+    medax::Triangulation::delaunay(points, {}, quiet);
+    CHECK(quiet.progress() == 1 && quiet.memory_peak() > 0 && !quiet.is_cancelled());
+    CHECK(std::strcmp(quiet.times().at(0).stage, "triangulate") == 0);
 }
 
 void complexes() {
