@@ -1,13 +1,13 @@
 #!/bin/sh
 # Makes sure that what a make target needs is on this machine:
-# `cmake/requirements.sh demo|install|test|test-meshlab|bench-peers|docs`.
+# `cmake/requirements.sh demo|install|test|test-python|test-meshlab|bench-peers|docs`.
 #
 # What is missing is installed with apt-get where that is possible (root, Debian or a relative of
 # it), and named first. Elsewhere the list is printed and the script fails. Nothing is touched when
 # everything is there.
 set -eu
 
-target=${1:?"usage: $0 demo|install|test|test-meshlab|bench-peers|docs"}
+target=${1:?"usage: $0 demo|install|test|test-python|test-meshlab|bench-peers|docs"}
 packages=''
 others=''
 
@@ -46,6 +46,10 @@ if [ "$target" = test ]; then
     have valgrind || missing_package valgrind
     python3 -c 'import ensurepip, venv' >/dev/null 2>&1 || missing_package python3-venv
     have_header OpenMesh/Core/System/config.h || missing_package libopenmesh-dev
+fi
+if [ "$target" = test-python ]; then
+    python3 -c 'import ensurepip, venv' >/dev/null 2>&1 || missing_package python3-venv
+    have strip || missing_package binutils
 fi
 if [ "$target" = test-meshlab ]; then
     have c++ || missing_package g++
