@@ -9,7 +9,7 @@ COUNTED := --features count-stages --test predicates
 HOST = $(shell rustc -vV | sed -n 's/^host: //p')
 CONFIGURE := cmake -S . -B $(BUILD)/medax
 
-.PHONY: help demo test test-rust moved test-package test-hosts test-meshlab test-manual bench bench-peers bench-nearest peers results medial flow pair field figure3 three-lines convergence stress tsan header doc docs gallery install clean
+.PHONY: help demo test test-rust moved test-package test-hosts test-python test-meshlab test-manual bench bench-peers bench-nearest peers results medial flow pair field figure3 three-lines convergence stress tsan header doc docs gallery install clean
 .DEFAULT_GOAL := help
 
 help:
@@ -75,6 +75,18 @@ test-package: moved
 # Where people already work, a part for each host: each in its real host, through the package or a wheel.
 HOSTS := python blender meshlab manual
 test-hosts: $(addprefix test-,$(HOSTS))
+
+# The wheel, in a fresh virtual environment and away from the sources.
+PYTHON := $(BUILD)/python
+test-python: moved
+	@cmake/requirements.sh test-python
+	rm -rf $(PYTHON) bindings/python/build
+	python3 -m venv $(PYTHON)/venv
+	MEDAX_LIBRARY=$$(find $(MOVED) -name libmedax.so) $(PYTHON)/venv/bin/pip wheel -q --no-deps -w $(PYTHON)/wheel bindings/python
+	$(PYTHON)/venv/bin/pip install -q "$$(ls $(PYTHON)/wheel/medax-*.whl)[trimesh,meshio,pyvista,pymeshlab,progress]" -r bindings/python/tests/requirements.txt
+	cd $(PYTHON) && venv/bin/auditwheel show wheel/medax-*.whl > audit && grep manylinux_ audit
+	cd bindings/python && $(PYTHON)/venv/bin/python generate.py --check && $(PYTHON)/venv/bin/ruff check . && $(PYTHON)/venv/bin/mypy
+	cd $(PYTHON) && env -u MEDAX_LIBRARY -u PYTHONPATH MEDAX_TEST_INSTALLED=1 PYTHONDONTWRITEBYTECODE=1 venv/bin/python -X dev -m pytest -q --durations=5 -c $(CURDIR)/bindings/python/pyproject.toml --rootdir $(CURDIR)/bindings/python $(CURDIR)/bindings/python/tests
 
 # The plugin, built against Debian's source of MeshLab and run in Debian's MeshLab.
 test-meshlab: moved

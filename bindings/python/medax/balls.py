@@ -25,9 +25,7 @@ class Balls(Handle, stem="balls"):
 
     def __init__(self, centers: ArrayLike, radii: ArrayLike, **how: Unpack[How]) -> None:
         xyz, lengths = floats(centers, "centers"), floats(radii, "radii", 1)
-        made = build(
-            Balls, how, lib.medax_balls_create, pointer(xyz), len(xyz), pointer(lengths), len(lengths)
-        )
+        made = build(Balls, how, lib.medax_balls_create, pointer(xyz), len(xyz), pointer(lengths), len(lengths))
         self._reference = made._reference
 
     @classmethod

@@ -203,9 +203,7 @@ class Complex(Validated, Attributed, stem="complex"):
         """Writes PLY, OFF, OBJ, STL, XYZ, PTS, TXT, CSV, MA, VTU, or GeoJSON for what is plane, by the path's ending.
         `text` writes PLY as text. The warnings tell what the format could not hold."""
         given = options(_ffi.medax_write_options, text=text)
-        made: Warnings = build(
-            Warnings, how, lib.medax_complex_write, self._ref, path_of(path), ctypes.byref(given)
-        )
+        made: Warnings = build(Warnings, how, lib.medax_complex_write, self._ref, path_of(path), ctypes.byref(given))
         return made
 
     @property
@@ -380,11 +378,11 @@ class Complex(Validated, Attributed, stem="complex"):
         return convert.to_pyvista(self)
 
     @classmethod
-    def from_pyvista(cls, dataset: Any) -> Complex:
+    def from_pyvista(cls, dataset: Any, dimension: int = 3) -> Complex:
         """A complex of a `pyvista` data set; see `medax.convert`."""
         from . import convert
 
-        return convert.from_pyvista(dataset)
+        return convert.from_pyvista(dataset, dimension)
 
 
 class Flattened(Handle, stem="flattened"):

@@ -399,9 +399,7 @@ def to_trimesh(complex: Complex, **options: Any) -> Any:
     vertices, triangles = np.array(complex.vertices), complex.triangles
     of_vertices = {a.name: a.values.copy() for a in complex.attributes if a.element == Element.VERTEX}
     if len(triangles):
-        of_faces = {
-            a.name: a.values[complex.face_of_triangle] for a in complex.attributes if a.element == Element.FACE
-        }
+        of_faces = {a.name: a.values[complex.face_of_triangle] for a in complex.attributes if a.element == Element.FACE}
         given = {"process": False, "vertex_attributes": of_vertices, "face_attributes": of_faces, **options}
         return trimesh.Trimesh(vertices, triangles.astype(np.int64), **given)
     if len(complex.edges):

@@ -153,9 +153,7 @@ class PowerCrust(Validated, stem="power_crust"):
 
     def offset(self, distance: float, **how: Unpack[How]) -> PowerCrust:
         """An approximate offset, in input units: outward for a positive distance."""
-        made: PowerCrust = build(
-            PowerCrust, how, lib.medax_power_crust_offset, self._ref, number(distance, "distance")
-        )
+        made: PowerCrust = build(PowerCrust, how, lib.medax_power_crust_offset, self._ref, number(distance, "distance"))
         return made
 
     def scale_axis(self, side: Union[Label, str], factor: float, **how: Unpack[How]) -> Complex:
@@ -171,9 +169,7 @@ class PowerCrust(Validated, stem="power_crust"):
         """Without unstable poles, those whose samples are all within `epsilon` of each other, and redundant ones, whose
         balls lie in larger ones grown by `delta`; input units."""
         given = options(_ffi.medax_simplify_options, epsilon=epsilon, delta=delta)
-        made: Simplified = build(
-            Simplified, how, lib.medax_power_crust_simplify, self._ref, ctypes.byref(given)
-        )
+        made: Simplified = build(Simplified, how, lib.medax_power_crust_simplify, self._ref, ctypes.byref(given))
         return made
 
     def open(

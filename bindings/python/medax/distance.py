@@ -83,8 +83,8 @@ class Piece(NamedTuple):
 class Decision:
     """What is known of a circle or a sphere.
 
-    `center` (3,), `radius`, `object_angle` (radians), `feet` (2, 3) and `pieces` are of the medial point that `test` has
-    found; `gap` is the longest arc between neighbours of `theta` (k, 3), where the gradient was looked at.
+    `center` (3,), `radius`, `object_angle` (radians), `feet` (2, 3) and `pieces` are of the medial point that `test`
+    has found; `gap` is the longest arc between neighbours of `theta` (k, 3), where the gradient was looked at.
     """
 
     center: tuple[float, float, float]
@@ -160,9 +160,7 @@ class Sites(Handle, stem="sites"):
         self._reference = build(Sites, how, lib.medax_sites_create, *inputs)._reference
 
     @classmethod
-    def of(
-        cls, source: Union[Figure, Complex], is_closed: Optional[ArrayLike] = None, **how: Unpack[How]
-    ) -> Sites:
+    def of(cls, source: Union[Figure, Complex], is_closed: Optional[ArrayLike] = None, **how: Unpack[How]) -> Sites:
         """The curves and points of a plane figure, a site for each part; or a mesh or polygon soup: one site."""
         if isinstance(source, Figure) and is_closed is None:
             made: Sites = build(cls, how, lib.medax_sites_of_figure, source._ref)
@@ -170,9 +168,7 @@ class Sites(Handle, stem="sites"):
         return cls._of_complex(lib.medax_sites_of_complex, source, is_closed, how)
 
     @classmethod
-    def of_components(
-        cls, complex: Complex, is_closed: Optional[ArrayLike] = None, **how: Unpack[How]
-    ) -> Sites:
+    def of_components(cls, complex: Complex, is_closed: Optional[ArrayLike] = None, **how: Unpack[How]) -> Sites:
         """A mesh or polygon soup, a site for each connected component."""
         return cls._of_complex(lib.medax_sites_of_components, complex, is_closed, how)
 

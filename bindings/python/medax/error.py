@@ -52,9 +52,7 @@ class ArgumentError(MedaxError, ValueError):
     """An argument that cannot be handed to the library: an array of another shape, a dtype that cannot be
     converted without loss, an option that is none. It is a ValueError, too."""
 
-    def __init__(
-        self, message: str, index: Optional[int] = None, kind: ErrorKind = ErrorKind.NONE
-    ) -> None:
+    def __init__(self, message: str, index: Optional[int] = None, kind: ErrorKind = ErrorKind.NONE) -> None:
         super().__init__(Status.INVALID_ARGUMENT, message, index, kind)
 
     def __reduce__(self):  # type: ignore[no-untyped-def]

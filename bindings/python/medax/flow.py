@@ -65,9 +65,7 @@ class Flow(Validated, stem="flow"):
     """The flow of the distance to a sample: its critical points, and where it goes."""
 
     @classmethod
-    def of(
-        cls, dual: Dual, labels: Labels, *, least_slope: Optional[float] = None, **how: Unpack[How]
-    ) -> Flow:
+    def of(cls, dual: Dual, labels: Labels, *, least_slope: Optional[float] = None, **how: Unpack[How]) -> Flow:
         """The flow of a sample, of its dual with facets; labels tell the inner from the outer medial axis.
         `least_slope` (0.5): above it a critical point belongs to the medial axis and not to the surface."""
         given = options(_ffi.medax_flow_options, least_slope=least_slope)
@@ -168,9 +166,7 @@ class Flow(Validated, stem="flow"):
         """Where each of some points (q, 3) flows."""
         xyz = floats(queries, "queries")
         ends = np.empty(len(xyz), np.uint32)
-        complex_ = build(
-            Complex, how, lib.medax_flow_orbits, self._ref, pointer(xyz), len(xyz), after=(pointer(ends),)
-        )
+        complex_ = build(Complex, how, lib.medax_flow_orbits, self._ref, pointer(xyz), len(xyz), after=(pointer(ends),))
         return Orbits(ends, complex_)
 
     def core(

@@ -111,9 +111,7 @@ class Job(Handle, stem="job"):
         stage, wall, cpu = ctypes.c_char_p(), ctypes.c_double(), ctypes.c_double()
         for index in range(self._get("stage_count")):
             check(
-                lib.medax_job_stage_time(
-                    self._ref, index, ctypes.byref(stage), ctypes.byref(wall), ctypes.byref(cpu)
-                )
+                lib.medax_job_stage_time(self._ref, index, ctypes.byref(stage), ctypes.byref(wall), ctypes.byref(cpu))
             )
             times.append(StageTime((stage.value or b"").decode(), wall.value, cpu.value))
         return times
@@ -236,8 +234,8 @@ class Validated(Handle):
 class ProgressBar:
     """A bar that shows how far a build is: tqdm's, if that is installed, else a line on stderr.
 
-        with medax.progress_bar() as bar:
-            crust = PowerCrust.of(points, progress=bar)
+    with medax.progress_bar() as bar:
+        crust = PowerCrust.of(points, progress=bar)
     """
 
     def __init__(self, title: str = "medax", **tqdm_options: Any) -> None:

@@ -41,9 +41,7 @@ class Points(Handle, stem="points"):
             rows = np.ascontiguousarray(rows)
         create = lib.medax_points_create_f64 if size == 8 else lib.medax_points_create_f32
         stride = rows.strides[0] if len(rows) > 1 else 0
-        made = build(
-            Points, how, create, pointer(rows), len(rows), stride, ctypes.byref(given)
-        )
+        made = build(Points, how, create, pointer(rows), len(rows), stride, ctypes.byref(given))
         self._reference = made._reference
 
     @classmethod
@@ -56,9 +54,7 @@ class Points(Handle, stem="points"):
     def write(self, path: Path, *, text: Optional[bool] = None, **how: Unpack[How]) -> Warnings:
         """Writes the distinct points in the order of their vertices. `text` writes PLY as text."""
         given = options(_ffi.medax_write_options, text=text)
-        made: Warnings = build(
-            Warnings, how, lib.medax_points_write, self._ref, path_of(path), ctypes.byref(given)
-        )
+        made: Warnings = build(Warnings, how, lib.medax_points_write, self._ref, path_of(path), ctypes.byref(given))
         return made
 
     @property

@@ -253,6 +253,11 @@ def test_attributes_go_in_and_out():
     assert medax.Complex(XYZ, [[0, 1, 2]], attributes=made.attributes).attribute_count == 6
     with pytest.raises(medax.MedaxError):
         made.attribute("face", "radius")
-    for wrong in ({"vertex": {"a": [1]}}, {"vertex": {"a": ["x"] * 5}}, {"a": [1] * 5}, {"corner": {}, "body": {"a": [1]}}):
+    for wrong in (
+        {"vertex": {"a": [1]}},
+        {"vertex": {"a": ["x"] * 5}},
+        {"a": [1] * 5},
+        {"corner": {}, "body": {"a": [1]}},
+    ):
         with pytest.raises(medax.MedaxError):
             medax.Complex(XYZ, attributes=wrong)

@@ -28,7 +28,9 @@ def test_counts_and_bytes_are_those_of_the_other_languages(example, tmp_path):
     done = run(example, *RUNS[example], str(out))
     assert done.returncode == 0, done.stderr
     # 64-bit FNV-1a.
-    digest = functools.reduce(lambda hash, byte: (hash ^ byte) * 0x100000001B3 % 2**64, out.read_bytes(), 0xCBF29CE484222325)
+    digest = functools.reduce(
+        lambda hash, byte: (hash ^ byte) * 0x100000001B3 % 2**64, out.read_bytes(), 0xCBF29CE484222325
+    )
     assert f"{example} {digest:016x} {done.stdout.strip()}" in (DATA / "expected.txt").read_text().splitlines()
 
 

@@ -48,7 +48,9 @@ def test_header_ffi_and_cpp_have_the_same_functions():
 def test_header_and_classes_have_the_same_handles():
     opaque = {f"medax_{name}" for name in re.findall(r"typedef struct medax_(\w+) medax_\1;", CODE)}
     classes = {
-        kind._stem for _, kind in inspect.getmembers(medax, inspect.isclass) if issubclass(kind, medax.Handle) and hasattr(kind, "_stem")
+        kind._stem
+        for _, kind in inspect.getmembers(medax, inspect.isclass)
+        if issubclass(kind, medax.Handle) and hasattr(kind, "_stem")
     }
     assert classes == opaque
 

@@ -17,7 +17,13 @@ def sums_to(array, value, tolerance):
 def test_points():
     xyz = np.array([[0, 0, 0], [1, 2, 3], [0, 0, 0], [4, 5, 6]], float)
     points = medax.Points(xyz)
-    assert (points.count, len(points), points.row_count, points.duplicate_count, points.skipped_count) == (3, 3, 4, 1, 0)
+    assert (points.count, len(points), points.row_count, points.duplicate_count, points.skipped_count) == (
+        3,
+        3,
+        4,
+        1,
+        0,
+    )
     assert points.duplicate_of.tolist() == [NONE, NONE, 0, NONE]
     assert np.array_equal(points.coords[points.vertex_of_row], xyz)
     assert np.array_equal(xyz[points.row_of_vertex], points.coords)
@@ -307,7 +313,9 @@ def test_pair(torus):
     assert np.allclose(pair.positions(places), queries) and np.allclose(places.weights.sum(axis=1), 1)
     assert ((places.t >= 0) & (places.t <= 1)).all() and pair.locate([[9, 9, 9]]).element[0] == NONE
     corners = pair.piece(places.element[0], places.piece[0])
-    assert np.allclose(places.weights[0] @ np.vstack([pair.boundary_vertices, pair.inner_vertices])[corners], queries[0])
+    assert np.allclose(
+        places.weights[0] @ np.vstack([pair.boundary_vertices, pair.inner_vertices])[corners], queries[0]
+    )
     moved = pair.with_inner(pair.inner_vertices + [1, 0, 0])
     assert np.allclose(moved.boundary_vertices, pair.boundary_vertices + [1, 0, 0])
     assert np.allclose(pair.with_boundary(pair.boundary_vertices * 2).boundary_vertices, pair.boundary_vertices * 2)
@@ -349,7 +357,9 @@ def test_complex(cube):
     assert compared.a_to_b_max == pytest.approx(0.1) and compared.diagonal == pytest.approx(math.sqrt(1.1**2 + 2))
     flat = medax.Complex([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]], dimension=2)
     assert flat.dimension == 2 and flat.topology().genus == 0 and not flat.topology().closed
-    moebius = medax.Complex(np.eye(6)[:, :3] + np.arange(6)[:, None], [[0, 1, 2], [1, 2, 3], [2, 3, 4], [3, 4, 0], [4, 0, 1]])
+    moebius = medax.Complex(
+        np.eye(6)[:, :3] + np.arange(6)[:, None], [[0, 1, 2], [1, 2, 3], [2, 3, 4], [3, 4, 0], [4, 0, 1]]
+    )
     assert moebius.topology().genus is None
     for wrong in ({"dimension": 4}, {"dimension": -1}):
         with pytest.raises(medax.MedaxError):

@@ -196,7 +196,12 @@ def test_threads_change_nothing(random_points):
 def test_a_busy_job(million_points):
     job = medax.Job()
     begun = threading.Event()
-    thread = threading.Thread(target=lambda: (begun.set(), pytest.raises(medax.MedaxError, medax.Triangulation.delaunay, million_points, job=job)))
+    thread = threading.Thread(
+        target=lambda: (
+            begun.set(),
+            pytest.raises(medax.MedaxError, medax.Triangulation.delaunay, million_points, job=job),
+        )
+    )
     thread.start()
     begun.wait()
     while job.stage == "idle":

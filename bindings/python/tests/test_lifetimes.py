@@ -61,7 +61,7 @@ def test_every_order_of_closing(random_points):
             for left in ("coords", "cells", "facets"):
                 assert sums(kept[left]) == expected[left]
             with pytest.raises(ValueError, match="closed"):
-                kept[name]._ref
+                _ = kept[name]._ref
             kept[name].close()
 
 
@@ -116,7 +116,7 @@ def test_with_and_clone(random_points):
         others = points.clone(), copy.copy(points), copy.deepcopy(points)
     assert points.closed
     with pytest.raises(medax.ArgumentError, match="this Points is closed"):
-        points.count
+        _ = points.count
     with pytest.raises(medax.ArgumentError, match="this Points is closed"):
         medax.Triangulation.delaunay(points)
     for other in others:

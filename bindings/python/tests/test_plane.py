@@ -35,7 +35,11 @@ def test_figure():
 
 
 def test_figure_of_a_file(tmp_path):
-    feature = {"type": "Feature", "properties": {"name": "quay"}, "geometry": {"type": "Polygon", "coordinates": [SQUARE]}}
+    feature = {
+        "type": "Feature",
+        "properties": {"name": "quay"},
+        "geometry": {"type": "Polygon", "coordinates": [SQUARE]},
+    }
     other = {"type": "Feature", "properties": {"name": "pond"}, "geometry": {"type": "Polygon", "coordinates": [HOLE]}}
     path = tmp_path / "figure.geojson"
     path.write_text(json.dumps({"type": "FeatureCollection", "features": [feature, other]}))
@@ -80,7 +84,10 @@ def test_sites_of_figures_and_meshes(cube):
     assert all_nearest.points.shape == all_nearest.directions.shape == (5, 3) and len(all_nearest.sites) == 5
     box = medax.Sites.of(cube)
     assert box.is_inside([[0.5, 0.5, 0.5], [2, 2, 2]]).tolist() == [True, False] and box.piece_count == 12
-    two = medax.Complex(np.vstack([cube.vertices, cube.vertices + 5]), cube.faces.to_list() + [[i + 8 for i in row] for row in cube.faces.to_list()])
+    two = medax.Complex(
+        np.vstack([cube.vertices, cube.vertices + 5]),
+        cube.faces.to_list() + [[i + 8 for i in row] for row in cube.faces.to_list()],
+    )
     assert medax.Sites.of_components(two).site_count == 2
     with pytest.raises(TypeError):
         medax.Sites.of(box)
