@@ -50,6 +50,11 @@ fi
 if [ "$target" = test-python ]; then
     python3 -c 'import ensurepip, venv' >/dev/null 2>&1 || missing_package python3-venv
     have strip || missing_package binutils
+    # What the wheel of PyMeshLab links and does not carry.
+    libraries=$(PATH="$PATH:/sbin:/usr/sbin" ldconfig -p 2>/dev/null || true)
+    for pair in libgl1=libGL.so.1 libopengl0=libOpenGL.so.0 libfontconfig1=libfontconfig.so.1; do
+        case $libraries in *"${pair#*=}"*) ;; *) missing_package "${pair%=*}" ;; esac
+    done
 fi
 if [ "$target" = test-meshlab ]; then
     have c++ || missing_package g++
