@@ -130,7 +130,7 @@ QString FilterMedaxPlugin::filterInfo(FilterIDType filter) const {
         case FP_SURFACE:
             return "Makes a closed surface from points, without normals: the <b>power crust</b> of "
                    "the layer's vertices. Its faces divide the balls of the inner from those of "
-                   "the outer poles; its vertices are the points.<br><br>See:<br>"
+                   "the outer poles; the points are among its vertices.<br><br>See:<br>"
                    "<i>Nina Amenta, Sunghee Choi, Ravi Krishna Kolluri</i><br>"
                    "<b>\"The Power Crust\"</b><br>Solid Modeling and Applications, 2001<br>";
         case FP_AXIS:
