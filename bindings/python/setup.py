@@ -37,6 +37,8 @@ class Build(build_py):
             package = pathlib.Path(self.build_lib) / "medax"
             package.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(library(), package / NAME)
+            for text in ROOT.glob("LICENSE-*"):
+                shutil.copyfile(text, package / text.name)
             strip = shutil.which("strip") if sys.platform.startswith("linux") else None
             if strip:
                 # Debugging information is six sevenths of it.

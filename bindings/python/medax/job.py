@@ -162,7 +162,11 @@ def run(how: How, call: Callable[[Any], int]) -> None:
             done.release()
 
     try:
-        _thread.start_new_thread(work, ())
+        try:
+            _thread.start_new_thread(work, ())
+        except RuntimeError:
+            # There are no threads while the interpreter shuts down.
+            work()
         # What counts is the outcome: an interrupt may come between the end of a wait and the look at it.
         while not outcome:
             if not done.acquire(timeout=INTERVAL) and progress is not None:
