@@ -9,7 +9,7 @@ COUNTED := --features count-stages --test predicates
 HOST = $(shell rustc -vV | sed -n 's/^host: //p')
 CONFIGURE := cmake -S . -B $(BUILD)/medax
 
-.PHONY: help demo test test-rust moved test-package test-hosts test-python test-meshlab test-manual bench bench-peers bench-nearest peers results medial flow pair field figure3 three-lines convergence stress tsan header doc docs gallery install clean
+.PHONY: help demo test test-rust moved test-package test-hosts test-python test-blender test-meshlab test-manual bench bench-peers bench-nearest peers results medial flow pair field figure3 three-lines convergence stress tsan header doc docs gallery install clean
 .DEFAULT_GOAL := help
 
 help:
@@ -87,6 +87,24 @@ test-python: moved
 	cd $(PYTHON) && venv/bin/auditwheel show wheel/medax-*.whl > audit && grep manylinux_ audit
 	cd bindings/python && $(PYTHON)/venv/bin/python generate.py --check && $(PYTHON)/venv/bin/ruff check . && $(PYTHON)/venv/bin/mypy
 	cd $(PYTHON) && env -u MEDAX_LIBRARY -u PYTHONPATH MEDAX_TEST_INSTALLED=1 PYTHONDONTWRITEBYTECODE=1 venv/bin/python -X dev -m pytest -q --durations=5 -c $(CURDIR)/bindings/python/pyproject.toml --rootdir $(CURDIR)/bindings/python $(CURDIR)/bindings/python/tests
+
+# Blender itself, as the module bpy for Python 3.11: half a gigabyte, fetched once.
+BLENDER := $(BUILD)/blender-venv
+$(BLENDER)/ready: bindings/blender/tests/requirements.txt
+	@cmake/requirements.sh test-blender
+	rm -rf $(BLENDER)
+	python3.11 -m venv $(BLENDER)
+	$(BLENDER)/bin/pip install -q --disable-pip-version-check -r $<
+	touch $@
+
+# The extension with the wheel in it, installed into an empty Blender.
+EXTENSION := $(BUILD)/blender
+test-blender: moved $(BLENDER)/ready
+	@cmake/requirements.sh test-blender
+	rm -rf $(EXTENSION) bindings/python/build
+	MEDAX_LIBRARY=$$(find $(MOVED) -name libmedax.so) $(BLENDER)/bin/pip wheel -q --no-deps --no-build-isolation -w $(EXTENSION)/wheel bindings/python
+	python3.11 bindings/blender/build.py -o $(EXTENSION) $(EXTENSION)/wheel/medax-*.whl
+	cd $(EXTENSION) && env -u MEDAX_LIBRARY -u PYTHONPATH EXTENSION=$$(ls $(EXTENSION)/medax-*.zip) PYTHONDONTWRITEBYTECODE=1 $(BLENDER)/bin/python -m pytest -q -p no:cacheprovider --durations=5 $(CURDIR)/bindings/blender/tests
 
 # The plugin, built against Debian's source of MeshLab and run in Debian's MeshLab.
 test-meshlab: moved

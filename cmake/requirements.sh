@@ -1,13 +1,13 @@
 #!/bin/sh
 # Makes sure that what a make target needs is on this machine:
-# `cmake/requirements.sh demo|install|test|test-python|test-meshlab|bench-peers|docs`.
+# `cmake/requirements.sh demo|install|test|test-python|test-blender|test-meshlab|bench-peers|docs`.
 #
 # What is missing is installed with apt-get where that is possible (root, Debian or a relative of
 # it), and named first. Elsewhere the list is printed and the script fails. Nothing is touched when
 # everything is there.
 set -eu
 
-target=${1:?"usage: $0 demo|install|test|test-python|test-meshlab|bench-peers|docs"}
+target=${1:?"usage: $0 demo|install|test|test-python|test-blender|test-meshlab|bench-peers|docs"}
 packages=''
 others=''
 
@@ -53,6 +53,18 @@ if [ "$target" = test-python ]; then
     # What the wheel of PyMeshLab links and does not carry.
     libraries=$(PATH="$PATH:/sbin:/usr/sbin" ldconfig -p 2>/dev/null || true)
     for pair in libgl1=libGL.so.1 libopengl0=libOpenGL.so.0 libfontconfig1=libfontconfig.so.1; do
+        case $libraries in *"${pair#*=}"*) ;; *) missing_package "${pair%=*}" ;; esac
+    done
+fi
+if [ "$target" = test-blender ]; then
+    # Blender 4.2 is a module for this Python alone.
+    have python3.11 || missing_package python3.11
+    python3.11 -c 'import ensurepip, venv' >/dev/null 2>&1 || missing_package python3.11-venv
+    have strip || missing_package binutils
+    # What Blender links, though it opens no window.
+    libraries=$(PATH="$PATH:/sbin:/usr/sbin" ldconfig -p 2>/dev/null || true)
+    for pair in libxrender1=libXrender.so.1 libxxf86vm1=libXxf86vm.so.1 libxfixes3=libXfixes.so.3 libxi6=libXi.so.6 \
+        libxkbcommon0=libxkbcommon.so.0 libsm6=libSM.so.6 libgl1=libGL.so.1 libegl1=libEGL.so.1; do
         case $libraries in *"${pair#*=}"*) ;; *) missing_package "${pair%=*}" ;; esac
     done
 fi
