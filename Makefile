@@ -209,7 +209,7 @@ docs: $(SPHINX)/ready
 	@cmake/requirements.sh docs
 	rm -rf $(BUILD)/manual $(BUILD)/doxygen
 	doxygen docs/manual/Doxyfile
-	PYTHONDONTWRITEBYTECODE=1 $(SPHINX)/bin/sphinx-build -q -W --keep-going -b html -d $(BUILD)/doctrees docs $(BUILD)/manual
+	PYTHONDONTWRITEBYTECODE=1 $(SPHINX)/bin/sphinx-build -q -E -W --keep-going -b html -d $(BUILD)/doctrees docs $(BUILD)/manual
 	mv $(BUILD)/doxygen/html $(BUILD)/manual/c
 
 # Some minutes.
