@@ -4317,7 +4317,7 @@ MEDAX_API medax_view_u32 medax_pair_removed(const medax_pair *pair);
 MEDAX_API double medax_pair_enclosed_volume(const medax_pair *pair);
 
 /**
- * The volume of each element; less than 0 where one is turned inside out.
+ * The volume of each element; less than 0 where one is turned inside out, or by rounding where it has next to none: #medax_pair_folded decides exactly.
  *
  * \param pair The pair-mesh.
  * \param job NULL for a default job.
@@ -4435,7 +4435,7 @@ medax_status medax_pair_boundary(const medax_pair *pair,
 
 /**
  * The inner structure: its faces, and the edges that belong to none. Vertices carry `cell` and `moved`, how far they are from where they would be,
- * had nothing been turned inside out; faces `samples`, those of their two pyramids; faces and edges `reason`, a #medax_pair_reason.
+ * had nothing been turned inside out; faces `samples`, those of their two pyramids; loose edges `samples`, three of those round them; faces and edges `reason`, a #medax_pair_reason.
  *
  * \param pair The pair-mesh.
  * \param job NULL for a default job.
@@ -4528,12 +4528,13 @@ typedef struct {
      */
     size_t struct_size;
     /**
-     * 1 to divide triangles of the boundary round their centroids, at the middles of their edges, where an edge path is found only then; 0, the default,
-     * not to. The boundary stays where it is, but has more vertices, of which the sample is `MEDAX_NONE`.
+     * 1 to divide triangles of the boundary round their centroids, at the middles of their edges, where no more goes without; 0, the default,
+     * not to. The boundary stays where it is, but has more vertices, of which the sample is `MEDAX_NONE`. Where it touches itself in an edge, the sheets there
+     * may be divided at different vertices.
      */
     uint32_t subdivide;
     /**
-     * 1 to fail where anything stays that was not asked for; 0, the default, not to.
+     * 1 to fail where anything stays that was not asked for, or what was is not there; 0, the default, not to.
      */
     uint32_t exact;
 } medax_pair_onto_options;
@@ -4556,17 +4557,17 @@ medax_status medax_pair_onto_options_init(medax_pair_onto_options *options,
  * #medax_medial, or a core, of the same samples. Of its faces and loose edges only the attribute `samples` counts; a complex without either
  * asks for nothing, and so for as little as can be.
  *
- * What is not asked for is collapsed, bit by bit, as long as no element gets folded. So it always succeeds: what cannot go without
- * changing the topology, or without folding an element, stays, and #medax_pair_reasons tells why. Faces that stay unasked are triangles, and
- * their corners may have moved into others.
+ * What is not asked for is collapsed, bit by bit, as long as no element gets folded. So it always succeeds: where no more can go, the rest
+ * stays, and #medax_pair_reasons tells what stood in the way. The search is local, so that another order might leave less. Faces that stay unasked are
+ * triangles, and their corners may have moved into others. What was asked for and is not there counts in #medax_pair_missing.
  *
- * \param pair The pair-mesh. It stays as it is.
+ * \param pair A pair-mesh of #medax_pair_voronoi. It stays as it is.
  * \param part A complex of which the faces have an attribute `samples` of two indices, and the loose edges one of three.
  * \param options NULL for the defaults.
  * \param job NULL for a default job.
  * \param out_pair Receives the pair-mesh, which the caller frees with #medax_pair_free.
- * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for faces or loose edges without `samples`, or an option out of range; `DEGENERATE` with the first
- *         face that stays unasked, where that was to be exact; `LIMIT_EXCEEDED` past 2^32 - 2 sides; `NULL_ARGUMENT`, `CANCELLED`,
+ * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for faces or loose edges without `samples`, an option out of range, or a pair-mesh that is a part
+ *         already, or deformed; `DEGENERATE` where it was to be exact and something is missing, or stays unasked: then with the first such face; `LIMIT_EXCEEDED` past 2^32 - 2 sides; `NULL_ARGUMENT`, `CANCELLED`,
  *         `BUSY`, `OUT_OF_MEMORY`.
  *
  * O(size log size) where few changes are refused. Since 0.1.
@@ -4577,6 +4578,18 @@ medax_status medax_pair_onto(const medax_pair *pair,
                              const medax_pair_onto_options *options,
                              const medax_job *job,
                              const medax_pair **out_pair);
+
+/**
+ * The number of Voronoi facets and edges asked for that the inner structure does not have: they are of another diagram, outside, or of samples that
+ * were removed.
+ *
+ * \param pair The pair-mesh; NULL lacks none.
+ * \return A count, 0 for a pair-mesh of #medax_pair_voronoi.
+ *
+ * Constant time. Since 0.1.
+ */
+MEDAX_API
+size_t medax_pair_missing(const medax_pair *pair);
 
 /**
  * Why each face of the inner structure is there. The loose edges that were not asked for have theirs in the complex of #medax_pair_inner.

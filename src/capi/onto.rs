@@ -39,10 +39,11 @@ impl From<PairReason> for medax_pair_reason {
 pub struct medax_pair_onto_options {
     /// The size of this struct in the caller's program.
     pub struct_size: usize,
-    /// 1 to divide triangles of the boundary round their centroids, at the middles of their edges, where an edge path is found only then; 0, the default,
-    /// not to. The boundary stays where it is, but has more vertices, of which the sample is `MEDAX_NONE`.
+    /// 1 to divide triangles of the boundary round their centroids, at the middles of their edges, where no more goes without; 0, the default,
+    /// not to. The boundary stays where it is, but has more vertices, of which the sample is `MEDAX_NONE`. Where it touches itself in an edge, the sheets there
+    /// may be divided at different vertices.
     pub subdivide: u32,
-    /// 1 to fail where anything stays that was not asked for; 0, the default, not to.
+    /// 1 to fail where anything stays that was not asked for, or what was is not there; 0, the default, not to.
     pub exact: u32,
 }
 
@@ -75,17 +76,17 @@ pub unsafe extern "C" fn medax_pair_onto_options_init(
 /// #medax_medial, or a core, of the same samples. Of its faces and loose edges only the attribute `samples` counts; a complex without either
 /// asks for nothing, and so for as little as can be.
 ///
-/// What is not asked for is collapsed, bit by bit, as long as no element gets folded. So it always succeeds: what cannot go without
-/// changing the topology, or without folding an element, stays, and #medax_pair_reasons tells why. Faces that stay unasked are triangles, and
-/// their corners may have moved into others.
+/// What is not asked for is collapsed, bit by bit, as long as no element gets folded. So it always succeeds: where no more can go, the rest
+/// stays, and #medax_pair_reasons tells what stood in the way. The search is local, so that another order might leave less. Faces that stay unasked are
+/// triangles, and their corners may have moved into others. What was asked for and is not there counts in #medax_pair_missing.
 ///
-/// \param pair The pair-mesh. It stays as it is.
+/// \param pair A pair-mesh of #medax_pair_voronoi. It stays as it is.
 /// \param part A complex of which the faces have an attribute `samples` of two indices, and the loose edges one of three.
 /// \param options NULL for the defaults.
 /// \param job NULL for a default job.
 /// \param out_pair Receives the pair-mesh, which the caller frees with #medax_pair_free.
-/// \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for faces or loose edges without `samples`, or an option out of range; `DEGENERATE` with the first
-///         face that stays unasked, where that was to be exact; `LIMIT_EXCEEDED` past 2^32 - 2 sides; `NULL_ARGUMENT`, `CANCELLED`,
+/// \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for faces or loose edges without `samples`, an option out of range, or a pair-mesh that is a part
+///         already, or deformed; `DEGENERATE` where it was to be exact and something is missing, or stays unasked: then with the first such face; `LIMIT_EXCEEDED` past 2^32 - 2 sides; `NULL_ARGUMENT`, `CANCELLED`,
 ///         `BUSY`, `OUT_OF_MEMORY`.
 ///
 /// O(size log size) where few changes are refused. Since 0.1.
@@ -107,6 +108,18 @@ pub unsafe extern "C" fn medax_pair_onto(
         out.put(handle::new(medax_pair { pair }));
         Ok(())
     })
+}
+
+/// The number of Voronoi facets and edges asked for that the inner structure does not have: they are of another diagram, outside, or of samples that
+/// were removed.
+///
+/// \param pair The pair-mesh; NULL lacks none.
+/// \return A count, 0 for a pair-mesh of #medax_pair_voronoi.
+///
+/// Constant time. Since 0.1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn medax_pair_missing(pair: *const medax_pair) -> usize {
+    boundary::value(0, || handle::maybe(pair).map_or(0, |p| p.pair.missing()))
 }
 
 /// Why each face of the inner structure is there. The loose edges that were not asked for have theirs in the complex of #medax_pair_inner.

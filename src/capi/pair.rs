@@ -192,7 +192,7 @@ pub unsafe extern "C" fn medax_pair_enclosed_volume(pair: *const medax_pair) -> 
     boundary::value(0.0, || handle::maybe(pair).map_or(0.0, |p| p.pair.enclosed_volume()))
 }
 
-/// The volume of each element; less than 0 where one is turned inside out.
+/// The volume of each element; less than 0 where one is turned inside out, or by rounding where it has next to none: #medax_pair_folded decides exactly.
 ///
 /// \param pair The pair-mesh.
 /// \param job NULL for a default job.
@@ -335,7 +335,7 @@ pub unsafe extern "C" fn medax_pair_boundary(
 }
 
 /// The inner structure: its faces, and the edges that belong to none. Vertices carry `cell` and `moved`, how far they are from where they would be,
-/// had nothing been turned inside out; faces `samples`, those of their two pyramids; faces and edges `reason`, a #medax_pair_reason.
+/// had nothing been turned inside out; faces `samples`, those of their two pyramids; loose edges `samples`, three of those round them; faces and edges `reason`, a #medax_pair_reason.
 ///
 /// \param pair The pair-mesh.
 /// \param job NULL for a default job.

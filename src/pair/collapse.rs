@@ -24,7 +24,9 @@ type Candidate = Reverse<(u64, u32, bool)>;
 pub(super) struct Collapse<'a, 'r> {
     pub shell: Shell<'a>,
     target: &'a Target,
-    subdivide: bool,
+    /// Whether triangles may be divided yet, and whether they are.
+    may_divide: bool,
+    divides: bool,
     waiting: BinaryHeap<Candidate>,
     /// The vertices that are listed for the next round, and for each vertex a side that begins there, or [`NONE`] if it is not listed.
     listed: Vec<u32>,
@@ -33,6 +35,7 @@ pub(super) struct Collapse<'a, 'r> {
     refused: Vec<u32>,
     rounds: usize,
     room: Room<'r>,
+    run: &'r Run<'r>,
 }
 
 impl<'a, 'r> Collapse<'a, 'r> {
@@ -44,12 +47,20 @@ impl<'a, 'r> Collapse<'a, 'r> {
         run: &'r Run<'r>,
     ) -> Result<Shell<'a>> {
         let mut room = Room::new(run);
-        let side_of = room.filled(target.is_fixed.len(), NONE)?;
-        let listed = room.vec(target.is_fixed.len())?;
-        let waiting = BinaryHeap::new();
-        let (refused, rounds) = (Vec::new(), 0);
-        let mut its =
-            Collapse { shell, target, subdivide, waiting, listed, side_of, refused, rounds, room };
+        let count = target.is_fixed.len();
+        let mut its = Collapse {
+            shell,
+            target,
+            may_divide: subdivide,
+            divides: false,
+            waiting: BinaryHeap::new(),
+            listed: room.vec(count)?,
+            side_of: room.filled(count, NONE)?,
+            refused: Vec::new(),
+            rounds: 0,
+            room,
+            run,
+        };
         for element in 0..its.shell.element_count() {
             run.poll()?;
             if its.shell.kind(element) == Kind::Pyramid {
@@ -60,7 +71,7 @@ impl<'a, 'r> Collapse<'a, 'r> {
             }
         }
         let mut charged = 0;
-        while let Some(Reverse((_, side, is_vertex))) = its.next() {
+        while let Some(Reverse((_, side, is_vertex))) = its.next()? {
             run.poll()?;
             match (its.shell.kind(its.shell.side(side).element), is_vertex) {
                 (Kind::Gone, _) => {}
@@ -104,22 +115,33 @@ impl<'a, 'r> Collapse<'a, 'r> {
         }
     }
 
-    /// What is to be done next. Where nothing waits a new round begins, with the vertices of which the surroundings have changed.
-    fn next(&mut self) -> Option<Candidate> {
+    /// What is to be done next. Where nothing waits a new round begins, with the vertices of which the surroundings have changed; and where there are none, triangles are divided, if they may be.
+    fn next(&mut self) -> Result<Option<Candidate>> {
         if self.waiting.is_empty() {
             self.rounds += 1;
             let refused = std::mem::take(&mut self.refused);
-            if self.rounds <= FACE_ROUNDS {
-                refused.iter().for_each(|&side| self.offer_face(self.shell.side(side).element));
+            let again = if self.rounds <= FACE_ROUNDS { refused } else { Vec::new() };
+            for side in self.run.watch(again) {
+                self.offer_face(self.shell.side(side?).element);
             }
-            for v in std::mem::take(&mut self.listed) {
+            for v in self.run.watch(std::mem::take(&mut self.listed)) {
+                let v = v?;
                 let side = std::mem::replace(&mut self.side_of[v as usize], NONE);
                 let b = self.shell.ends(side)[0];
                 let squared = Shell::squared(self.shell.boundary(b), self.shell.inner(v));
                 self.waiting.push(Reverse((squared.to_bits(), side, true)));
             }
+            if self.waiting.is_empty() && std::mem::take(&mut self.may_divide) {
+                (self.divides, self.rounds) = (true, 0);
+                for element in 0..self.shell.element_count() {
+                    self.run.poll()?;
+                    if self.shell.kind(element) == Kind::Pyramid {
+                        self.offer_face(element);
+                    }
+                }
+            }
         }
-        self.waiting.pop()
+        Ok(self.waiting.pop())
     }
 
     /// Lists what may be done now round the inner edge that a side runs along: its ends, and the next face.
@@ -167,7 +189,7 @@ impl<'a, 'r> Collapse<'a, 'r> {
             self.shell.sides_of(element).iter().map(|&at| self.shell.side(at).twin).collect();
         let done = self.change(|shell| shell.collapse_face(side, &strip))
             || self.change(|shell| collapse_elsewhere(shell, side, &strip))
-            || self.subdivide
+            || self.divides
                 && self.change(|shell| {
                     let region = shell.region(&strip, REACH[1]);
                     shell.subdivide(&strip, &region);

@@ -15,7 +15,7 @@ impl PairMesh {
             run.enter(Stage::Pair)?;
             let moved = check(places, self.inner.len(), run)?;
             let boundary = self.follow([&self.inner, &moved], &self.boundary, [1, 0], run)?;
-            Ok(PairMesh { boundary, inner: moved, ..self.clone() })
+            Ok(PairMesh { boundary, inner: moved, is_whole: false, ..self.clone() })
         })
     }
 
@@ -25,7 +25,7 @@ impl PairMesh {
             run.enter(Stage::Pair)?;
             let moved = check(places, self.boundary.len(), run)?;
             let inner = self.follow([&self.boundary, &moved], &self.inner, [0, 1], run)?;
-            Ok(PairMesh { inner, boundary: moved, ..self.clone() })
+            Ok(PairMesh { inner, boundary: moved, is_whole: false, ..self.clone() })
         })
     }
 

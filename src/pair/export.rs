@@ -1,5 +1,6 @@
 //! Complexes from a pair-mesh: the solid, its boundary, the inner structure.
 
+use super::target::samples_of_edges;
 use super::{PairElement, PairMesh, PairReason};
 use crate::complex::{Attribute, CellType, Complex, ComplexParts, Element, Rows, Values};
 use crate::error::Result;
@@ -94,7 +95,7 @@ impl PairMesh {
     }
 
     /// The inner structure: its faces, and the edges that belong to none. Vertices carry `cell` (of which they are the Voronoi vertex, the least of several; or [`NONE`]) and
-    /// `moved` (how far from there they are, in input units); faces `samples` (those of their two pyramids); faces and edges `reason` ([`PairReason`]). Errors: those of the job. Cost: O(size).
+    /// `moved` (how far from there they are, in input units); faces `samples` (those of their two pyramids); loose edges `samples` (the least three of those round them); faces and edges `reason` ([`PairReason`]). Errors: those of the job. Cost: O(size).
     pub fn inner(&self, job: &Job) -> Result<Complex> {
         job.run(&[(Stage::Extract, 1.0)], |run| {
             run.enter(Stage::Extract)?;
@@ -134,6 +135,12 @@ impl PairMesh {
             found.map_or(PairReason::Asked, |i| self.unasked[i].1) as u32
         };
         let edge_reasons = room.collect(edges.iter().map(reason_of))?;
+        let round = samples_of_edges(self, &mut room, run)?;
+        let mut samples_of_loose = room.vec(3 * edges.len())?;
+        for edge in &edges {
+            let its = round.get(edge).into_iter().flatten().copied();
+            samples_of_loose.extend(its.chain([NONE; 3]).take(3));
+        }
         let apexes = (0..self.ends[0] as u32).map(|element| self.sample_of(self.ring(element)[0]));
         let samples = room.collect(apexes)?;
         room.keep(4 * (self.faces.indices().len() + self.faces.len() + 1))?;
@@ -145,6 +152,7 @@ impl PairMesh {
                 Attribute::new("cell", Element::Vertex, 1, Values::U32(cells))?,
                 Attribute::new("moved", Element::Vertex, 1, Values::F64(moved))?,
                 Attribute::new("samples", Element::Face, 2, Values::U32(samples))?,
+                Attribute::new("samples", Element::Edge, 3, Values::U32(samples_of_loose))?,
                 Attribute::new("reason", Element::Face, 1, Values::U32(face_reasons))?,
                 Attribute::new("reason", Element::Edge, 1, Values::U32(edge_reasons))?,
             ],

@@ -41,7 +41,7 @@ impl PairMesh {
         }
     }
 
-    /// The volume of each element, in cubed units; less than 0 where one is folded. Errors: those of the job. Cost: O(size).
+    /// The volume of each element, in cubed units; less than 0 where one is folded, or by rounding where it has next to none ([`PairMesh::folded`] decides exactly). Errors: those of the job. Cost: O(size).
     pub fn volumes(&self, job: &Job) -> Result<Vec<f64>> {
         job.run(&[(Stage::Query, 1.0)], |run| {
             run.enter(Stage::Query)?;

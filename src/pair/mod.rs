@@ -83,6 +83,10 @@ pub struct PairMesh {
     /// For each inner face why it is there, unless all were asked for; and the loose edges that were not, with reasons.
     reasons: Vec<PairReason>,
     unasked: Vec<([u32; 2], PairReason)>,
+    /// How many of the facets and edges asked for it does not have.
+    missing: usize,
+    /// Whether it is that of all of the inner diagram, as it was built.
+    is_whole: bool,
 }
 
 impl PairMesh {
@@ -100,6 +104,8 @@ impl PairMesh {
             removed: Vec::new(),
             reasons: Vec::new(),
             unasked: Vec::new(),
+            missing: 0,
+            is_whole: false,
         }
     }
 
@@ -135,7 +141,7 @@ impl PairMesh {
             let mended = Mended::new(&solid.dual, &parts, &mut room, run)?;
             let (mesh, mut apart) = assemble::assemble(&solid, &parts, &mended, &mut room, run)?;
             if apart.is_empty() {
-                return Ok(PairMesh { removed: solid.removed, ..mesh });
+                return Ok(PairMesh { removed: solid.removed, is_whole: true, ..mesh });
             }
             drop(mended);
             // Where a sphere's vertex would be met twice, its cells keep vertices of their own.
@@ -226,6 +232,11 @@ impl PairMesh {
     /// The loose edges of the inner structure that were not asked for, by their ends, ascending, and why they are there.
     pub fn unasked_edges(&self) -> &[([u32; 2], PairReason)] {
         &self.unasked
+    }
+
+    /// The number of Voronoi facets and edges asked for that the inner structure does not have: they are of another diagram, outside, or of samples that were removed.
+    pub fn missing(&self) -> usize {
+        self.missing
     }
 
     /// The sample at the boundary end of a node.

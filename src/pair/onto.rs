@@ -13,9 +13,9 @@ use std::collections::BTreeMap;
 /// How a pair-mesh is brought onto a part of its inner structure.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PairOntoOptions {
-    /// Divide triangles of the boundary round their centroids, at the middles of their edges, where an edge path is found only then (section 4). The boundary stays where it is, but has more vertices. Off by default.
+    /// Divide triangles of the boundary round their centroids, at the middles of their edges, where no more goes without (section 4). The boundary stays where it is, but has more vertices. Where it touches itself in an edge, the sheets there may be divided at different vertices. Off by default.
     pub subdivide: bool,
-    /// Fail where anything stays that was not asked for. Off by default.
+    /// Fail where anything stays that was not asked for, or what was is not there. Off by default.
     pub exact: bool,
 }
 
@@ -23,10 +23,11 @@ impl PairMesh {
     /// The pair-mesh of a part of the inner structure: that in which a complex of Voronoi faces lies, such as the axis of a [`Medial`](crate::Medial), or a core, extended or not
     /// ([`Core::complex`](crate::flow::Core::complex)), of the same samples. Of its faces and loose edges only the attribute `samples` counts.
     ///
-    /// What is not asked for is collapsed, bit by bit, as long as no element gets folded. So it always succeeds: what cannot go without changing the topology, or without folding an element, stays,
-    /// and [`PairMesh::reasons`] tells why. Faces that stay unasked are triangles, and their corners may have moved into others.
+    /// What is not asked for is collapsed, bit by bit, as long as no element gets folded. So it always succeeds: where no more can go, the rest stays, and [`PairMesh::reasons`] tells what stood in the
+    /// way. The search is local, so that another order might leave less. Faces that stay unasked are triangles, and their corners may have moved into others. What was asked for and is not there counts in
+    /// [`PairMesh::missing`].
     ///
-    /// Errors: [`Status::InvalidArgument`] for faces or loose edges without `samples`; [`Status::Degenerate`] with the first face that stays unasked, if `exact`; [`Status::LimitExceeded`] past
+    /// Errors: [`Status::InvalidArgument`] for faces or loose edges without `samples`, or if this is a part already, or deformed; [`Status::Degenerate`] if it is to be `exact` and something is missing, or stays unasked: then with the first such face; [`Status::LimitExceeded`] past
     /// 2^32 - 2 sides; those of the job. Cost: O(size log size) where few changes are refused.
     pub fn onto(&self, part: &Complex, options: PairOntoOptions, job: &Job) -> Result<PairMesh> {
         job.run(&[(Stage::Pair, 1.0)], |run| self.onto_in(part, options, run))
@@ -40,6 +41,10 @@ impl PairMesh {
         run: &Run<'_>,
     ) -> Result<PairMesh> {
         run.enter(Stage::Pair)?;
+        if !self.is_whole {
+            let message = "only the pair-mesh of all of the inner Voronoi diagram, as it was built, can be brought onto a part of it";
+            return Err(Error::new(Status::InvalidArgument, message));
+        }
         let mut room = Room::new(run);
         let target = Target::new(self, part, &mut room, run)?;
         let shell = Shell::new(self, &|face| target.is_asked(face), &mut room, run)?;
@@ -53,6 +58,13 @@ impl PairMesh {
 
     /// This mesh, unless something in it was not asked for.
     fn check_exact(self) -> Result<PairMesh> {
+        if self.missing > 0 {
+            let message = format!(
+                "{} of the Voronoi facets and edges asked for are not in the inner structure",
+                self.missing
+            );
+            return Err(Error::new(Status::Degenerate, message));
+        }
         let faces = self.reasons.iter().filter(|&&reason| reason != PairReason::Asked).count();
         let edges = self.unasked.len();
         let why = |reason: &PairReason| match reason {
@@ -85,7 +97,7 @@ impl PairMesh {
         room: &mut Room<'_>,
         run: &Run<'_>,
     ) -> Result<PairMesh> {
-        let mut mesh = PairMesh::empty();
+        let mut mesh = PairMesh { missing: target.missing, ..PairMesh::empty() };
         mesh.boundary = room.collect(self.boundary.iter().copied())?;
         mesh.sample_of_boundary = room.collect(self.sample_of_boundary.iter().copied())?;
         mesh.removed = room.collect(self.removed.iter().copied())?;

@@ -13,6 +13,8 @@ pub(super) struct Target {
     edges: HashSet<[u32; 2]>,
     /// For each inner vertex, whether it is a corner of one of these.
     pub is_fixed: Vec<bool>,
+    /// How many of the facets and edges asked for are not there.
+    pub missing: usize,
 }
 
 impl Target {
@@ -31,7 +33,9 @@ impl Target {
             faces: room.vec(mesh.faces.len())?,
             edges: HashSet::new(),
             is_fixed: room.filled(mesh.inner.len(), false)?,
+            missing: 0,
         };
+        let mut found: HashSet<[u32; 2]> = HashSet::new();
         for item in run.watch((0..).zip(mesh.faces.iter())) {
             let (face, corners) = item?;
             let mut samples =
@@ -40,23 +44,60 @@ impl Target {
             let is_asked = facets.contains_key(&samples);
             its.faces.push(is_asked);
             if is_asked {
+                room.keep(size_of::<[u32; 2]>())?;
+                found.insert(samples);
                 corners.iter().for_each(|&v| its.is_fixed[v as usize] = true);
             }
         }
-        if triangles.is_empty() {
-            return Ok(its);
-        }
-        for (edge, samples) in samples_of_edges(mesh, room, run)? {
-            let samples: Vec<u32> = samples.into_iter().collect();
-            if let Ok(triangle) = <[u32; 3]>::try_from(samples)
-                && triangles.contains_key(&triangle)
-            {
-                edge.iter().for_each(|&v| its.is_fixed[v as usize] = true);
-                room.keep(2 * size_of::<[u32; 2]>())?;
-                its.edges.insert(edge);
-            }
+        // Where samples are cospherical a facet may be an edge or a vertex, an edge a vertex, and several edges one, with more than three samples round it.
+        let flat = facets.into_keys().filter(|facet| !found.contains(facet));
+        let flat: BTreeSet<Vec<u32>> =
+            flat.map(Vec::from).chain(triangles.into_keys().map(Vec::from)).collect();
+        if !flat.is_empty() {
+            its.add_edges(mesh, flat, room, run)?;
         }
         Ok(its)
+    }
+
+    /// Adds the edges that have some samples round them, and counts the samples that have neither an edge nor a vertex in common.
+    fn add_edges(
+        &mut self,
+        mesh: &PairMesh,
+        all: BTreeSet<Vec<u32>>,
+        room: &mut Room<'_>,
+        run: &Run<'_>,
+    ) -> Result<()> {
+        let mut of_sample: HashMap<u32, Vec<&Vec<u32>>> = HashMap::new();
+        for samples in &all {
+            room.keep(size_of::<[u64; 8]>())?;
+            of_sample.entry(samples[0]).or_default().push(samples);
+        }
+        let mut found: HashSet<&Vec<u32>> = HashSet::new();
+        for item in run.watch(samples_of_edges(mesh, room, run)?) {
+            let (edge, round) = item?;
+            let near = round.iter().filter_map(|sample| of_sample.get(sample)).flatten();
+            for &samples in near.filter(|its| its.iter().all(|v| round.contains(v))) {
+                edge.iter().for_each(|&v| self.is_fixed[v as usize] = true);
+                room.keep(size_of::<[u32; 8]>())?;
+                self.edges.insert(edge);
+                found.insert(samples);
+            }
+        }
+        let mut nodes = room
+            .collect(mesh.nodes.iter().map(|&[b, v]| [mesh.sample_of_boundary[b as usize], v]))?;
+        nodes.sort_unstable();
+        let has = |sample: u32, v: u32| nodes.binary_search(&[sample, v]).is_ok();
+        for samples in all.iter().filter(|&samples| !found.contains(samples)) {
+            run.poll()?;
+            let begin = nodes.partition_point(|&[sample, _]| sample < samples[0]);
+            let at = nodes[begin..].iter().take_while(|node| node[0] == samples[0]);
+            let vertex = at.map(|node| node[1]).find(|&v| samples.iter().all(|&s| has(s, v)));
+            match vertex {
+                Some(v) => self.is_fixed[v as usize] = true,
+                None => self.missing += 1,
+            }
+        }
+        Ok(())
     }
 }
 
@@ -103,7 +144,7 @@ fn rows<const N: usize>(of: &Complex, element: Element, count: usize) -> Result<
 }
 
 /// The samples round each inner edge.
-fn samples_of_edges(
+pub(super) fn samples_of_edges(
     mesh: &PairMesh,
     room: &mut Room<'_>,
     run: &Run<'_>,

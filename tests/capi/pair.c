@@ -222,6 +222,8 @@ static void parts(const medax_pair *pair) {
     for (size_t i = 0; i < left; ++i) CHECK(reasons[i] == MEDAX_PAIR_REASON_ENCLOSED || reasons[i] == MEDAX_PAIR_REASON_UNSEEN);
     CHECK_STATUS(OK, medax_pair_reasons(pair, reasons));
     for (size_t i = 0; i < faces; ++i) CHECK(reasons[i] == MEDAX_PAIR_REASON_ASKED);
+    CHECK(medax_pair_missing(spine) == 0 && medax_pair_missing(NULL) == 0);
+    CHECK_STATUS(INVALID_ARGUMENT, medax_pair_onto(spine, nothing, NULL, NULL, &whole));
     options.exact = 2;
     CHECK_STATUS(INVALID_ARGUMENT, medax_pair_onto(pair, nothing, &options, NULL, &whole));
     CHECK_STATUS(NULL_ARGUMENT, medax_pair_onto(NULL, nothing, NULL, NULL, &whole));

@@ -35,11 +35,13 @@ void pairs() {
     const medax::Pair spine = pair.onto(medax::Complex::from({}));
     CHECK(spine.validate().problems == 0);
     CHECK(spine.inner_vertices().rows() <= pair.inner_vertices().rows());
+    CHECK(spine.missing() == 0);
+    CHECK(THROWN(spine.onto(spine.inner())).status() == MEDAX_STATUS_INVALID_ARGUMENT);
     for (std::uint32_t reason : spine.reasons()) CHECK(reason != MEDAX_PAIR_REASON_ASKED);
     for (std::uint32_t reason : pair.reasons()) CHECK(reason == MEDAX_PAIR_REASON_ASKED);
     medax::PairOntoOptions onto;
     onto.subdivide = 2;
-    CHECK(THROWN(pair.onto(spine.inner(), onto)).status() == MEDAX_STATUS_INVALID_ARGUMENT);
+    CHECK(THROWN(pair.onto(pair.inner(), onto)).status() == MEDAX_STATUS_INVALID_ARGUMENT);
 
     const std::vector<medax::Point> queries = {{0.3, 0.4, 0.5}, {9, 9, 9}};
     const std::vector<medax::Place> places = pair.locate(queries);

@@ -231,6 +231,58 @@ fn complexes_without_samples_are_refused() {
     }
 }
 
+/// A square bar: its axis is a line, at which four samples meet.
+#[test]
+fn hairs_of_cospherical_samples_stay_when_asked_for() {
+    let rows: Vec<[f64; 3]> =
+        (0..36).map(|i| [f64::from(i % 2), f64::from(i / 2 % 2), f64::from(i / 4)]).collect();
+    let dual = dual(&rows);
+    let labels = Arc::new(labels(&dual, |_| true));
+    let job = Job::default();
+    let whole = PairMesh::voronoi(&dual, &labels, &job).unwrap();
+    let flow = Flow::new(&dual, &labels, Default::default(), &job).unwrap();
+    let core = flow.core(Default::default(), &[], &job).unwrap().into_complex();
+    let options = PairOntoOptions { exact: true, ..Default::default() };
+    let less = whole.onto(&core, options, &job).unwrap();
+    assert_eq!(less.inner(&job).unwrap().edges().len(), 7, "between eight cubes");
+    assert_eq!((less.missing(), less.inner_vertices().len()), (0, 8));
+    // What a pair-mesh says of its own inner structure is understood.
+    let same = whole.onto(&whole.inner(&job).unwrap(), options, &job).unwrap();
+    assert_eq!(same.counts(), whole.counts());
+}
+
+#[test]
+fn what_is_not_there_is_counted() {
+    let (whole, _) = parts(Shape::Sphere);
+    let job = Job::default();
+    let samples = vec![u32::MAX - 5, u32::MAX - 3];
+    let samples = Attribute::new("samples", Element::Face, 2, Values::U32(samples)).unwrap();
+    let part = Complex::new(ComplexParts {
+        vertices: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+        faces: Rows::new(vec![0, 3], vec![0, 1, 2]).unwrap(),
+        attributes: vec![samples],
+        ..ComplexParts::default()
+    })
+    .unwrap();
+    assert_eq!(whole.onto(&part, Default::default(), &job).unwrap().missing(), 1);
+    let options = PairOntoOptions { exact: true, ..Default::default() };
+    let error = whole.onto(&part, options, &job).unwrap_err();
+    assert_eq!(error.status(), Status::Degenerate);
+    assert!(error.to_string().contains("1 of the Voronoi facets"), "{error}");
+}
+
+#[test]
+fn parts_and_what_was_deformed_are_refused() {
+    let (whole, parts) = parts(Shape::Sphere);
+    let job = Job::default();
+    let less = whole.onto(&parts[0].1, Default::default(), &job).unwrap();
+    let moved = whole.with_inner(whole.inner_vertices(), &job).unwrap();
+    for mesh in [less, moved] {
+        let error = mesh.onto(&parts[3].1, Default::default(), &job).unwrap_err();
+        assert_eq!(error.status(), Status::InvalidArgument);
+    }
+}
+
 #[test]
 fn what_is_cancelled_stops() {
     let (whole, parts) = parts(Shape::Torus);

@@ -40,6 +40,8 @@ public:
         job.check(medax_pair_onto(get(), part.get(), &options, job.get(), &pair));
         return Pair(pair);
     }
+    /// How many Voronoi facets and edges asked for the inner structure does not have.
+    std::size_t missing() const noexcept { return medax_pair_missing(get()); }
     /// Why each inner face is there, as medax_pair_reason.
     std::vector<std::uint32_t> reasons() const {
         std::vector<std::uint32_t> reasons(inner_faces().rows());

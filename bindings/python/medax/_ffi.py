@@ -1019,6 +1019,7 @@ FUNCTIONS = {
     "medax_pair_free": (None, (P(medax_pair),)),
     "medax_pair_onto_options_init": (i32, (P(medax_pair_onto_options), usize)),
     "medax_pair_onto": (i32, (P(medax_pair), P(medax_complex), P(medax_pair_onto_options), P(medax_job), P(P(medax_pair)))),
+    "medax_pair_missing": (usize, (P(medax_pair),)),
     "medax_pair_reasons": (i32, (P(medax_pair), address)),
     "medax_pair_locate": (i32, (P(medax_pair), address, usize, P(medax_job), address)),
     "medax_pair_positions": (i32, (P(medax_pair), address, usize, address)),

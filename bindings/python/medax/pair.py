@@ -51,6 +51,11 @@ class Pair(Validated, stem="pair"):
         made: Pair = build(Pair, how, lib.medax_pair_onto, self._ref, asked, ctypes.byref(given))
         return made
 
+    @property
+    def missing(self) -> int:
+        """How many Voronoi facets and edges that `onto` asked for the inner structure does not have."""
+        return int(self._get("missing"))
+
     def reasons(self) -> Indices:
         """Why each inner face is there: a `PairReason`."""
         found = np.empty(len(self.inner_faces), np.uint32)

@@ -32,10 +32,10 @@ pub struct Options {
     /// extended, none by default
     #[arg(long, value_name = "FILTERS")]
     facets: Option<Extend>,
-    /// Divide triangles of the boundary where less of the inner structure stays that was not asked for
+    /// Divide triangles of the boundary where no more of the inner structure goes without
     #[arg(long)]
     subdivide: bool,
-    /// Fail where any of the inner structure stays that was not asked for
+    /// Fail where any of the inner structure stays that was not asked for, or what was is not there
     #[arg(long)]
     exact: bool,
     /// Write the inner structure
@@ -186,6 +186,7 @@ impl Options {
 fn with_time(path: &Path, t: f64) -> PathBuf {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let ending = path.extension().unwrap_or_default().to_string_lossy();
+    let t = if t == 0.0 || t >= 1e-6 { format!("{t}") } else { format!("{t:e}") };
     path.with_file_name(format!("{stem}-{t}.{ending}"))
 }
 
@@ -213,6 +214,7 @@ fn describe(pair: &PairMesh, report: &mut Report, session: &mut Session) -> Resu
         "enclosed": unasked.iter().filter(|&&reason| reason == PairReason::Enclosed).count(),
         "unseen": unasked.iter().filter(|&&reason| reason == PairReason::Unseen).count(),
         "unasked_edges": pair.unasked_edges().len(),
+        "missing": pair.missing(),
     });
     report.more.insert("pair".into(), its);
     let words = format!("{pyramids} pyramids, {between} between edges, {over} over triangles");
@@ -223,6 +225,12 @@ fn describe(pair: &PairMesh, report: &mut Report, session: &mut Session) -> Resu
     if !pair.reasons().is_empty() {
         let words = format!("{} of {}", unasked.len(), pair.inner_faces().len());
         report.lines.push(("inner faces not asked for", words));
+    }
+    if pair.missing() > 0 {
+        let count = pair.missing();
+        session.warn(&format!(
+            "{count} Voronoi facets and edges asked for are not in the inner structure"
+        ));
     }
     if !pair.removed().is_empty() {
         let count = pair.removed().len();

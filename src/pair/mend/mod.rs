@@ -20,6 +20,10 @@ use crate::points::COORDINATE_MIN;
 use crate::predicates::{Sign, orient3d};
 use crate::vector::{Vec3, add, cross, length, scale, sub};
 
+/// The planes that are looked at, at most, besides so many a cell.
+const PLANES: usize = 1_000_000;
+const PLANES_A_CELL: usize = 100;
+
 /// The inner vertices: those of the inner cells, and one in the middle of each facet that has a vertex which was moved.
 pub(super) struct Mended<'a> {
     dual: &'a Dual,
@@ -32,6 +36,8 @@ pub(super) struct Mended<'a> {
     was: Vec<(u32, Vec3, bool)>,
     /// What was gathered with others, some of it more than once.
     gathered: Vec<u32>,
+    /// How many planes may still be looked at in search of places: without a bound, what is stuck would be tried in all ways, each of which goes on as far as it helps.
+    planes_left: usize,
 }
 
 /// What consists of elements.
@@ -65,6 +71,7 @@ impl<'a> Mended<'a> {
             tries: room.filled(cells + facets, 0)?,
             was: Vec::new(),
             gathered: Vec::new(),
+            planes_left: PLANES + PLANES_A_CELL * cells,
         };
         its.begin(run)?;
         let folded = its.folded_at_first(run)?;

@@ -39,6 +39,9 @@ impl Plane {
 impl Mended<'_> {
     /// Moves a vertex to where nothing that has it is turned, or, if no such place is found, at most a share of what was. Whether it was moved.
     pub(super) fn improve(&mut self, vertex: u32, way: Way) -> bool {
+        if self.planes_left == 0 {
+            return false;
+        }
         let v = vertex as usize;
         let (place, was_moved) = (self.places[v], self.is_moved[v]);
         let at = self.parts_at(vertex);
@@ -46,6 +49,7 @@ impl Mended<'_> {
         self.is_moved[v] = true;
         let (planes, _) = self.planes(&at, &[vertex]);
         self.is_moved[v] = was_moved;
+        self.planes_left = self.planes_left.saturating_sub(planes.len());
         match better(place, &planes, most, way).map(tidy) {
             Some(found) if found != place => {
                 self.put(vertex, found);
@@ -57,7 +61,7 @@ impl Mended<'_> {
 
     /// Moves some vertices to one place, with the middles between them, where less is turned, and so many others as that takes. Tetrahedra with two corners there have no volume. Returns what was moved.
     pub(super) fn gather(&mut self, mut group: Vec<u32>, way: Way) -> Vec<u32> {
-        while group.len() <= GATHERED {
+        while group.len() <= GATHERED && self.planes_left > 0 {
             let mut at: Vec<Part> = group.iter().flat_map(|&v| self.parts_at(v)).collect();
             at.sort_unstable();
             for pair in at.windows(2).filter(|pair| pair[0] == pair[1]) {
@@ -73,6 +77,7 @@ impl Mended<'_> {
             group.iter().for_each(|&v| self.is_moved[v as usize] = true);
             let (planes, corners) = self.planes(&at, &group);
             group.iter().zip(was).for_each(|(&v, was)| self.is_moved[v as usize] = was);
+            self.planes_left = self.planes_left.saturating_sub(planes.len());
             let cells = group.partition_point(|&v| (v as usize) < self.parts.cells.len());
             let sum = group[..cells].iter().fold([0.0; 3], |sum, &v| add(sum, self.place(v)));
             if cells == 0 {

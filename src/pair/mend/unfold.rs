@@ -119,6 +119,10 @@ impl Mended<'_> {
                 continue;
             }
             let mut is_done = false;
+            if self.planes_left == 0 {
+                left.push(part);
+                continue;
+            }
             for how in 0..=2 * ANEW.len() {
                 self.was.clear();
                 if let Some(&(rings, way)) = ANEW.get(how / 2) {
