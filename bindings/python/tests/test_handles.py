@@ -322,6 +322,7 @@ def test_pair(torus):
     core = torus.flow.core().complex
     onto = pair.onto(core, subdivide=True)
     assert len(onto.reasons()) == len(onto.inner_faces) and onto.validate().is_valid
+    assert pair.missing == 0 and onto.missing >= 0
     assert len(onto.inner_faces) < len(pair.inner_faces) and set(pair.reasons()) == {medax.PairReason.ASKED}
     with pytest.raises(medax.ArgumentError, match="places must be rows"):
         pair.positions(queries)
