@@ -29,10 +29,11 @@ class Drawn:
     corners: np.ndarray
     edges: np.ndarray
     attributes: dict[tuple[str, str], np.ndarray]
+    smooth: bool = False
     skin: bool = False
 
     @classmethod
-    def of(cls, name: str, made: medax.Complex, triangles: bool = False) -> Drawn:
+    def of(cls, name: str, made: medax.Complex, triangles: bool = False, smooth: bool = False) -> Drawn:
         """A complex, with its polygons or its triangles."""
         if triangles:
             corners = made.triangles.reshape(-1)
@@ -53,7 +54,8 @@ class Drawn:
             single = values.astype(np.float32) if values.dtype.kind == "f" else values.astype(np.uint32).view(np.int32)
             attributes[domain, each.name] = single
         xyz = made.vertices.astype(np.float32)
-        return cls(name, xyz, starts.astype(np.int32), corners.astype(np.int32), made.edges.astype(np.int32), attributes)
+        starts, corners, edges = (each.astype(np.int32) for each in (starts, corners, made.edges))
+        return cls(name, xyz, starts, corners, edges, attributes, smooth)
 
     def apart(self, name: str) -> list[Drawn]:
         """The faces, and the loose edges under another name, to be skinned; each only if there are any."""
@@ -68,6 +70,20 @@ class Drawn:
             parts.append(self._part(name, used, faces=False))
         return parts or [self]
 
+    def skeleton(self, name: str) -> Drawn:
+        """All edges, the sides of faces too, and no faces; to be skinned."""
+        edges = np.unique(np.sort(np.concatenate([self.edges, self.sides()]), axis=1), axis=0)
+        points = {key: values for key, values in self.attributes.items() if key[0] == "POINT"}
+        none = np.empty(0, np.int32)
+        return Drawn(name, self.xyz, none, none, edges, points, skin=True)
+
+    def sides(self) -> np.ndarray:
+        """Each side of each face."""
+        # The corner after each one, round its face.
+        after = np.arange(1, len(self.corners) + 1)
+        after[np.append(self.starts[1:], len(self.corners))[: len(self.starts)] - 1] = self.starts
+        return np.stack([self.corners, self.corners[after]], axis=1)
+
     def _part(self, name: str, used: np.ndarray, faces: bool) -> Drawn:
         row = np.cumsum(used, dtype=np.int32) - 1
         none = np.empty(0, np.int32)
@@ -79,20 +95,14 @@ class Drawn:
                 attributes[domain, title] = values
         starts, corners = (self.starts, row[self.corners]) if faces else (none, none)
         edges = none.reshape(0, 2) if faces else row[self.edges]
-        return Drawn(name, self.xyz[used], starts, corners, edges, attributes, skin=not faces)
+        return Drawn(name, self.xyz[used], starts, corners, edges, attributes, self.smooth, skin=not faces)
 
     def radii(self) -> np.ndarray | None:
         return self.attributes.get(("POINT", "radius"))
 
     def roots(self) -> np.ndarray:
         """One vertex of each connected piece: where a skin begins."""
-        ends = np.arange(len(self.starts) + 1)
-        ends[:-1], ends[-1] = self.starts, len(self.corners)
-        # The corner after each one, round its face.
-        after = np.arange(1, len(self.corners) + 1)
-        after[ends[1:] - 1] = self.starts
-        sides = np.stack([self.corners, self.corners[after]], axis=1)
-        pairs = np.concatenate([self.edges, sides])
+        pairs = np.concatenate([self.edges, self.sides()])
         least = np.arange(len(self.xyz))
         a, b = pairs[:, 0], pairs[:, 1]
         while True:

@@ -116,7 +116,7 @@ def write(context: Any, source: Source, parts: list[Any], hide: bool, material: 
         made.matrix_world = Matrix(source.rigid.tolist())
         collection.objects.link(made)
         if isinstance(part, Drawn) and part.skin:
-            made.modifiers.new("Skin", "SKIN")
+            skinned(made, part)
         if material and isinstance(part, Painted):
             mesh.materials.clear()
             mesh.materials.append(coloured(part.colour_name))
@@ -126,6 +126,14 @@ def write(context: Any, source: Source, parts: list[Any], hide: bool, material: 
     if hide:
         original.hide_set(True)
     return objects
+
+
+def skinned(thing: Any, part: Drawn) -> None:
+    """Modifiers that make a solid of a skeleton. Skin folds where edges are far shorter than radii, as Voronoi edges are."""
+    radii = part.radii()
+    weld = thing.modifiers.new("Weld", "WELD")
+    weld.merge_threshold = 0.5 * float(np.median(radii)) if radii is not None else 0
+    thing.modifiers.new("Skin", "SKIN")
 
 
 def attribute(mesh: Any, domain: str, name: str, values: np.ndarray) -> None:
@@ -164,6 +172,9 @@ def drawn(part: Drawn) -> Any:
         roots[part.roots()] = True
         skin.foreach_set("use_root", roots)
     mesh.update(calc_edges=True, calc_edges_loose=True)
+    if not part.smooth:
+        # Faces of axes have no common side: smooth ones are dark where two of them are turned against each other.
+        mesh.shade_flat()
     # Blender must never see a face twice, or one that meets itself.
     mesh.validate()
     return mesh

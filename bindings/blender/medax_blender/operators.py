@@ -229,7 +229,9 @@ class MEDAX_OT_core(Inside, Base, bpy.types.Operator):
     theta: FloatProperty(description="The angle condition of the facets: more prunes more", **THETA)
     rho: FloatProperty(description="The ratio condition of the facets: more prunes more", **RHO)
     skin: BoolProperty(
-        name="Skin", description="Put the loose edges into an object of their own with a Skin modifier", default=False
+        name="Skin",
+        description="Make a skeleton of edges with a Skin modifier; faces by which the core is extended stay apart",
+        default=False,
     )
 
     def _applies(self, name: str) -> bool:

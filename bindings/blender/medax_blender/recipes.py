@@ -140,7 +140,7 @@ class PowerCrust(Recipe):
         surface = crust.surface
         if self.open:
             surface = crust.open(job=steps.job(0.95, "Holes"))[0]
-        drawn = Drawn.of(self.title, surface, triangles=self.triangles)
+        drawn = Drawn.of(self.title, surface, triangles=self.triangles, smooth=True)
         return Result([drawn], f"{len(surface.faces)} faces")
 
 
@@ -215,8 +215,8 @@ class Core(Recipe):
         core = flow.core(facets, side=self.side, repair=self.repair, job=steps.job(0.97, "Core")).complex
         parts = [Drawn.of(self.title, core)]
         if self.skin:
-            # Skin makes something of every edge, those of faces included.
-            parts = parts[0].apart("Skeleton")
+            # Skin makes something of every edge, those of faces included: good for the few of a core, not for an axis.
+            parts = parts[0].apart("Skeleton") if self.extend else [parts[0].skeleton("Skeleton")]
         least, most = span(core.values("radius"))
         text = f"{len(core.faces)} faces, {len(core.edges)} edges, radius {{}} to {{}}"
         return Result(parts, text, (least, most))
@@ -277,7 +277,7 @@ class IsoSurface(Recipe):
             filter_ = (self.theta, self.rho) if self.inner == "medial" else None
             pair = have.once("onto", (self.inside, self.inner, filter_), lambda: self._onto(source, steps, whole))
         surface = pair.iso_surface(self.t, job=steps.job(0.97, "Surface"))
-        return Result([Drawn.of(self.title, surface)], f"{len(surface.faces)} faces")
+        return Result([Drawn.of(self.title, surface, smooth=True)], f"{len(surface.faces)} faces")
 
     def _onto(self, source: Input, steps: Steps, whole: medax.Pair) -> medax.Pair:
         part: Optional[medax.Complex] = None

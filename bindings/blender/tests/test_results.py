@@ -56,6 +56,12 @@ def test_power_crust_of_faces():
     assert not bpy.data.objects["Torus"].hide_get()
 
 
+def values_of_sharp(mesh):
+    sharp = np.empty(len(mesh.polygons), bool)
+    mesh.attributes["sharp_face"].data.foreach_get("value", sharp)
+    return sharp
+
+
 def test_medial_axis():
     source = torus()
     assert bpy.ops.medax.medial_axis() == {"FINISHED"}
@@ -63,6 +69,7 @@ def test_medial_axis():
     radius = values(axis.data, "radius")
     assert axis.data.attributes["radius"].domain == "POINT"
     assert np.allclose(radius, nearest(vertices(source), vertices(axis)), atol=1e-6)
+    assert values_of_sharp(axis.data).all()
     # The axis of a torus is the circle in its middle.
     at = vertices(axis)
     assert np.abs(np.hypot(at[:, 0], at[:, 1]) - 1).max() < 0.1
@@ -109,7 +116,7 @@ def test_core_with_faces_and_its_skeleton_apart():
     faces, skeleton = bpy.data.objects["Suzanne Core"], bpy.data.objects["Suzanne Skeleton"]
     assert len(faces.data.polygons) and not faces.data.skin_vertices
     assert len(skeleton.data.edges) and not skeleton.data.polygons
-    assert skeleton.modifiers[0].type == "SKIN"
+    assert [modifier.type for modifier in skeleton.modifiers] == ["WELD", "SKIN"]
     # A root for each piece.
     made = bmesh.new()
     made.from_mesh(skeleton.data)
@@ -123,6 +130,24 @@ def test_core_with_faces_and_its_skeleton_apart():
                 todo += more
     made.free()
     assert sum(each.use_root for each in skeleton.data.skin_vertices[0].data) == pieces
+
+
+def test_core_as_a_skeleton():
+    # Some of the core of this regular torus are faces; their sides are in the skeleton.
+    torus()
+    bpy.ops.medax.core()
+    core = bpy.context.active_object.data
+    sides = {tuple(sorted(edge.vertices)) for edge in core.edges}
+    bpy.context.view_layer.objects.active = bpy.data.objects["Torus"]
+    assert bpy.ops.medax.core(skin=True) == {"FINISHED"}
+    skeleton = bpy.context.active_object
+    assert skeleton.name == "Torus Skeleton" and len(core.polygons) and not skeleton.data.polygons
+    assert {tuple(sorted(edge.vertices)) for edge in skeleton.data.edges} == sides
+    assert [modifier.type for modifier in skeleton.modifiers] == ["WELD", "SKIN"]
+    skinned = skeleton.evaluated_get(bpy.context.evaluated_depsgraph_get()).to_mesh()
+    euler, closed, volume = topology(skinned)
+    # About the solid: what Skin makes where a bar is short may fold.
+    assert closed and 0.5 * TORUS < volume < 1.5 * TORUS
 
 
 def plate():
