@@ -63,3 +63,6 @@ def test_what_operators_promise(addon):
         assert each.recipe.title
     panel = bpy.types.MEDAX_PT_sidebar
     assert (panel.bl_space_type, panel.bl_region_type) == ("VIEW_3D", "UI")
+    icons = bpy.types.UILayout.bl_rna.functions["operator"].parameters["icon"].enum_items.keys()
+    assert set(addon.panel.ICONS) == {each.bl_idname for each in addon.operators.ALL}
+    assert set(addon.panel.ICONS.values()) <= set(icons)
