@@ -72,7 +72,10 @@ pub(super) fn write(complex: &Complex, out: &mut Sink<'_>) -> Result<()> {
         cell_count(complex),
     ))?;
     for (section, arrays) in sections {
-        out.text(format_args!("<{section}>\n"))?;
+        match arrays.iter().find(|array| section == "PointData" && SHOWN.contains(&&*array.name)) {
+            Some(array) => out.text(format_args!("<{section} Scalars=\"{}\">\n", array.name))?,
+            None => out.text(format_args!("<{section}>\n"))?,
+        }
         for array in arrays {
             let (name, width, ty) = (escaped(&array.name), array.width, array.data.ty());
             out.text(format_args!(
@@ -89,6 +92,9 @@ pub(super) fn write(complex: &Complex, out: &mut Sink<'_>) -> Result<()> {
     }
     out.text(format_args!("</Piece>\n</UnstructuredGrid>\n</VTKFile>\n"))
 }
+
+/// The attributes of vertices by which a host that opens a file colours it, until it is told otherwise.
+const SHOWN: [&str; 3] = ["radius", "thickness", "t"];
 
 /// The attributes of these kinds of elements; those that agree in all but the kind share an array.
 fn attributes<'a>(complex: &'a Complex, kinds: &[Element]) -> Vec<Array<'a>> {

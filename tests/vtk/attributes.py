@@ -10,6 +10,7 @@ import tempfile
 
 import numpy as np
 import pyvista
+import vtk
 
 # Point and cell arrays, as docs/hosts/paraview.md names them; then files that the command reads.
 TABLE = [
@@ -102,6 +103,12 @@ def main():
             grid = pyvista.read(folder / "result.vtu")
             found = set(grid.point_data), set(grid.cell_data)
             demand(found == (of_points, of_cells), f"{' '.join(map(str, command))}: arrays {found}")
+            shown = next((name for name in ("radius", "thickness", "t") if name in of_points), None)
+            reader = vtk.vtkXMLUnstructuredGridReader()
+            reader.SetFileName(str(folder / "result.vtu"))
+            reader.Update()
+            scalars = reader.GetOutput().GetPointData().GetScalars()
+            demand((scalars.GetName() if scalars else None) == shown, f"{' '.join(map(str, command))}: not coloured by {shown}")
 
         axes = {"medial": ["medial"], "core": ["flow"], "extended core": ["flow", "--extend", "medial"]}
         for name, command in axes.items():
