@@ -17,6 +17,8 @@ from vtk.util.numpy_support import vtk_to_numpy
 
 # The genus of the boundary.
 SHAPES = [("ellipsoid", 0), ("torus", 1), ("genus3", 3)]
+# vtkCellValidator's FacesAreOrientedIncorrectly, which its Python side does not name.
+ORIENTED_INCORRECTLY = 0x20
 MODELS = [("3holes.off", 3), ("kitten.xyz", 1)]
 
 
@@ -68,7 +70,7 @@ def turned(solid):
     validator.SetInputData(solid)
     validator.Update()
     states = vtk_to_numpy(validator.GetOutput().GetCellData().GetArray("ValidityState"))
-    return np.count_nonzero(states & vtk.vtkCellValidator.FacesAreOrientedIncorrectly)
+    return np.count_nonzero(states & ORIENTED_INCORRECTLY)
 
 
 def topology(surface):

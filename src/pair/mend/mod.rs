@@ -2,7 +2,7 @@
 //!
 //! The Voronoi vertex of an inner cell may lie where an element that has it is turned inside out (Shaham, Shamir, Cohen-Or, figure 2), or outside the box of the samples; those outside begin at the centre of
 //! the sphere *in* their cell. Then vertices of what is turned are moved one at a time ([`moves`]), each to where nothing that has it is turned, or less is: where it may be is bounded by a plane for each
-//! tetrahedron that it is a corner of. Some are gathered in one place, where no one vertex can be moved alone, and moved apart again if there is room. What is stuck begins anew with the vertices round it, and an attempt that helps nothing is
+//! tetrahedron that it is a corner of. What is stuck begins anew with the vertices round it, and an attempt that helps nothing is
 //! taken back ([`unfold`]). If all else fails, vertices go step by step to the centres of the spheres in their cells. In the end each goes back as far as may be.
 //!
 //! At these every element is right, whatever the solid: the vertex is inside its cell, so before all triangles of the surface that the cell has; it lies in the plane that halves each dihedral angle of the
@@ -17,7 +17,7 @@ use crate::dual::Dual;
 use crate::error::Result;
 use crate::job::{Room, Run, parts};
 use crate::points::COORDINATE_MIN;
-use crate::predicates::{Sign, orient3d};
+use crate::predicates::orient3d;
 use crate::vector::{Vec3, add, cross, length, scale, sub};
 
 /// The planes that are looked at, at most, besides so many a cell.
@@ -34,8 +34,6 @@ pub(super) struct Mended<'a> {
     tries: Vec<u8>,
     /// What was before each move: which vertex, where it was, whether it had been moved.
     was: Vec<(u32, Vec3, bool)>,
-    /// What was gathered with others, some of it more than once.
-    gathered: Vec<u32>,
     /// How many planes may still be looked at in search of places: without a bound, what is stuck would be tried in all ways, each of which goes on as far as it helps.
     planes_left: usize,
 }
@@ -70,7 +68,6 @@ impl<'a> Mended<'a> {
             is_moved: room.filled(cells + facets, false)?,
             tries: room.filled(cells + facets, 0)?,
             was: Vec::new(),
-            gathered: Vec::new(),
             planes_left: PLANES + PLANES_A_CELL * cells,
         };
         its.begin(run)?;
@@ -283,19 +280,6 @@ impl<'a> Mended<'a> {
     fn is_turned(&self, corners: [Corner; 4]) -> bool {
         let [a, b, c, d] = corners.map(|corner| self.at(corner));
         orient3d(&a, &b, &c, &d).is_negative()
-    }
-
-    /// Whether a tetrahedron that has a vertex has no volume.
-    fn is_any_flat(&self, vertex: u32) -> bool {
-        let mut is_flat = false;
-        for part in self.parts_at(vertex) {
-            self.tetrahedra(part, &mut |corners| {
-                let has = corners.contains(&Corner::Inner(vertex));
-                let [a, b, c, d] = corners.map(|corner| self.at(corner));
-                is_flat = is_flat || (has && orient3d(&a, &b, &c, &d) == Sign::Zero);
-            });
-        }
-        is_flat
     }
 
     fn is_folded(&self, part: Part) -> bool {

@@ -8,8 +8,6 @@ use std::collections::BTreeSet;
 
 /// How often a vertex is moved while nothing but that is done.
 const TRIES: u8 = 20;
-/// How often what is stuck is gathered, and how many vertices at once.
-const GATHERS: usize = 5;
 /// How vertices are moved at first.
 const FIRST: Way = Way { leave: 0.5, beyond: 0.8 };
 /// What is tried about a part that is stuck: how far round it vertices begin anew, and how they are moved then. No one way helps everywhere.
@@ -25,8 +23,6 @@ const ANEW: [(usize, Way); 8] = [
 ];
 /// Where so many parts are folded an attempt is given up, and how much farther round vertices begin anew: first few, since most attempts that help do so with few.
 const TOO_MANY: [(usize, usize); 2] = [(100, 0), (1000, 2)];
-/// How often what was gathered is moved apart.
-const SPREADS: usize = 8;
 /// The steps to the place where everything is right.
 const STEPS: u8 = 16;
 /// How far from its Voronoi vertex a vertex stays that goes back there as far as may be.
@@ -40,20 +36,18 @@ impl Mended<'_> {
         room: &mut Room<'_>,
         run: &Run<'_>,
     ) -> Result<()> {
-        self.join_near(&folded, room, run)?;
         let mut stuck = self.relax(folded, FIRST, usize::MAX, room, run)?;
         for (most, more) in TOO_MANY {
             stuck = self.begin_anew(stuck, [most, more], room, run)?;
         }
         self.step_all(stuck, usize::MAX, room, run)?;
-        self.spread(run)?;
         self.go_back(run)?;
         Ok(())
     }
 
-    /// Moves vertices one at a time, and together where that does not help, as long as there is less and less of what is turned. Returns what stays folded.
+    /// Moves vertices one at a time, as long as there is less and less of what is turned. Returns what stays folded.
     ///
-    /// It ends, since a vertex is tried so often at most, and what is stuck gathered so often.
+    /// It ends, since a vertex is tried so often at most.
     fn relax(
         &mut self,
         mut folded: Vec<Part>,
@@ -62,7 +56,6 @@ impl Mended<'_> {
         room: &mut Room<'_>,
         run: &Run<'_>,
     ) -> Result<Vec<Part>> {
-        let mut gathers = 0;
         let mut tried = Vec::new();
         folded.retain(|&part| self.is_folded(part));
         while !folded.is_empty() && folded.len() <= most {
@@ -77,19 +70,6 @@ impl Mended<'_> {
                             room.push(&mut touched, vertex)?;
                         }
                     }
-                }
-            }
-            if touched.is_empty() && gathers < GATHERS {
-                gathers += 1;
-                for &part in &folded {
-                    run.poll()?;
-                    let vertices = self.turned_vertices(part);
-                    let moved = self.gather(vertices, way);
-                    for &v in &moved {
-                        self.tries[v as usize] = self.tries[v as usize].min(TRIES - 2);
-                    }
-                    room.grow(&mut touched, moved.len())?;
-                    touched.extend(moved);
                 }
             }
             if touched.is_empty() {
@@ -231,25 +211,6 @@ impl Mended<'_> {
                 self.was.clear();
             }
             folded = self.folded_at(&touched);
-        }
-        Ok(())
-    }
-
-    /// Moves what was gathered apart, as far as there is room: surfaces that meet in one place would cross there.
-    fn spread(&mut self, run: &Run<'_>) -> Result<()> {
-        let mut vertices = std::mem::take(&mut self.gathered);
-        vertices.sort_unstable();
-        vertices.dedup();
-        for _ in 0..SPREADS {
-            vertices.retain(|&vertex| self.is_any_flat(vertex));
-            for &vertex in &vertices {
-                run.poll()?;
-                // Nothing is turned, so that it moves to where all is right, but for rounding, or not at all.
-                self.was.clear();
-                if self.improve(vertex, FIRST) && self.is_any_folded(vertex) {
-                    self.take_back();
-                }
-            }
         }
         Ok(())
     }
