@@ -12,8 +12,14 @@ int main(int argc, char **argv) {
     medax_view_f64 xyz;
     medax_attribute thickness;
     size_t thin = 0, i;
-    int failed = argc != 4
-        || medax_complex_read(argv[1], NULL, &part)
+    char *end = NULL;
+    const double limit = argc == 4 ? strtod(argv[2], &end) : 0;
+    int failed;
+    if (argc != 4 || end == argv[2] || *end != 0) {
+        fprintf(stderr, "usage: wall_thickness PART LIMIT MESH\n");
+        return 2;
+    }
+    failed = medax_complex_read(argv[1], NULL, &part)
         || medax_samples_build_from_mesh(part, NULL, NULL, &samples);
     xyz = medax_samples_coords(samples);
     /* The part has sharp edges; its own faces tell inside from outside. */
@@ -27,10 +33,10 @@ int main(int argc, char **argv) {
         || medax_complex_attribute(sized, MEDAX_ELEMENT_VERTEX, "thickness", &thickness)
         || medax_complex_write(sized, argv[3], NULL, NULL, NULL);
     if (failed) {
-        fprintf(stderr, "%s\n", argc == 4 ? medax_last_error_message() : "usage: wall_thickness PART LIMIT MESH");
+        fprintf(stderr, "%s\n", medax_last_error_message());
     } else {
         for (i = 0; i < thickness.f64_values.rows; ++i)
-            thin += thickness.f64_values.data[i] < atof(argv[2]);
+            thin += thickness.f64_values.data[i] < limit;
         printf("%zu samples, %zu vertices, %zu thinner than %s\n", medax_points_count(points), i, thin, argv[2]);
     }
     medax_power_crust_free(labelled);

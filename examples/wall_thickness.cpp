@@ -6,9 +6,11 @@
 #include <iostream>
 
 int main(int argc, char **argv) {
-    if (argc != 4) {
+    char *end = nullptr;
+    const double limit = argc == 4 ? std::strtod(argv[2], &end) : 0;
+    if (argc != 4 || end == argv[2] || *end != 0) {
         std::cerr << "usage: wall_thickness PART LIMIT MESH\n";
-        return 1;
+        return 2;
     }
     try {
         const auto part = medax::Complex::read(argv[1]);
@@ -20,7 +22,6 @@ int main(int argc, char **argv) {
         const auto sized = crust.with_sizes(part);
         sized.write(argv[3]);
         const auto thickness = sized.attribute(MEDAX_ELEMENT_VERTEX, "thickness").f64_values;
-        const double limit = std::atof(argv[2]);
         const auto thin = std::count_if(thickness.begin(), thickness.end(), [&](double t) { return t < limit; });
         std::cout << points.count() << " samples, " << thickness.rows() << " vertices, " << thin
                   << " thinner than " << argv[2] << '\n';

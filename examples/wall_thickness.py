@@ -19,8 +19,12 @@ def run(part_path: str, limit: str, mesh_path: str) -> str:
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 4:
-        sys.exit("usage: wall_thickness PART LIMIT MESH")
+    try:
+        _, _, limit, _ = sys.argv
+        float(limit)
+    except ValueError:
+        print("usage: wall_thickness PART LIMIT MESH", file=sys.stderr)
+        sys.exit(2)
     try:
         print(run(*sys.argv[1:]))
     except medax.MedaxError as error:

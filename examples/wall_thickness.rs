@@ -14,9 +14,11 @@ use std::sync::Arc;
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [part, limit, mesh] = arguments.as_slice() else {
-        eprintln!("usage: wall_thickness PART LIMIT MESH");
-        return ExitCode::FAILURE;
+        return usage();
     };
+    if limit.parse::<f64>().is_err() {
+        return usage();
+    }
     match run(part, limit, mesh) {
         Ok(counts) => {
             println!("{counts}");
@@ -27,6 +29,11 @@ fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+fn usage() -> ExitCode {
+    eprintln!("usage: wall_thickness PART LIMIT MESH");
+    ExitCode::from(2)
 }
 
 /// Writes the part with its thickness and says how many vertices are thinner than the limit.

@@ -22,3 +22,12 @@ execute_process(COMMAND ${program} OUTPUT_VARIABLE said ERROR_VARIABLE complaint
 if(status EQUAL 0 OR NOT complaint MATCHES "^usage: ${example} ")
   message(FATAL_ERROR "${program} without arguments: ${status}, ${said}${complaint}")
 endif()
+# So it does where a limit is no number.
+if(example STREQUAL wall_thickness)
+  list(GET arguments 0 part)
+  execute_process(COMMAND ${program} ${part} abc no_limit.ply
+    OUTPUT_VARIABLE said ERROR_VARIABLE complaint RESULT_VARIABLE status)
+  if(NOT status EQUAL 2 OR NOT said STREQUAL "" OR NOT complaint STREQUAL "usage: wall_thickness PART LIMIT MESH\n")
+    message(FATAL_ERROR "${program} with the limit abc: ${status}, ${said}${complaint}")
+  endif()
+endif()

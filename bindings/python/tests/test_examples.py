@@ -37,6 +37,15 @@ def test_counts_and_bytes_are_those_of_the_other_languages(example, tmp_path):
 @pytest.mark.parametrize("example", RUNS)
 def test_what_is_wrong_is_said_in_a_line(example, tmp_path):
     done = run(example)
-    assert done.returncode == 1 and done.stderr.startswith(f"usage: {example} ")
+    assert done.returncode == (2 if example == "wall_thickness" else 1)
+    assert done.stderr.startswith(f"usage: {example} ")
     done = run(example, str(tmp_path / "nothing.ply"), *RUNS[example][1:], str(tmp_path / "out.ply"))
     assert done.returncode == 1 and done.stdout == "" and done.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize("limit", ("abc", "2.5mm", ""))
+def test_a_limit_that_is_no_number_is_answered_with_the_usage(limit, tmp_path):
+    out = tmp_path / "out.ply"
+    done = run("wall_thickness", str(DATA / "bracket.off"), limit, str(out))
+    assert (done.returncode, done.stdout) == (2, "") and not out.exists()
+    assert done.stderr == "usage: wall_thickness PART LIMIT MESH\n"
