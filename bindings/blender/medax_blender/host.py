@@ -27,12 +27,13 @@ TYPES = {"MESH", "CURVE", "SURFACE", "FONT", "META", "POINTCLOUD"}
 @dataclasses.dataclass(frozen=True)
 class Source:
     """An object as it was read: its name, its place and rotation, its scale (and shear) as a matrix (3, 3), and its
-    points and triangles with that scale applied."""
+    points and triangles with that scale applied; `is_cloud` where these are points of a point cloud, not of a mesh."""
 
     name: str
     rigid: np.ndarray
     scale: np.ndarray
     input: Input
+    is_cloud: bool = False
 
 
 def divided(matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -63,15 +64,27 @@ def _floats(collection: Any, name: str, count: int) -> np.ndarray:
     return values
 
 
+def cloud_of(depsgraph: Any, thing: Any) -> np.ndarray:
+    """The points that modifiers make of an object that is no point cloud, such as Mesh to Points: its evaluated data is a
+    mesh all the same, an empty one, and only the iterator over the scene comes by them."""
+    for instance in depsgraph.object_instances:
+        part = instance.object
+        if part.type == "POINTCLOUD" and part.original == thing:
+            return _floats(part.data.points, "co", len(part.data.points))
+    return np.empty((0, 3), np.float32)
+
+
 def read(context: Any) -> Source:
     """The active object with its modifiers applied."""
     thing = context.active_object
     if thing is None or thing.type not in TYPES:
         raise Refused("There is no active object with vertices")
-    evaluated = thing.evaluated_get(context.evaluated_depsgraph_get())
+    depsgraph = context.evaluated_depsgraph_get()
+    evaluated = thing.evaluated_get(depsgraph)
     rigid, scale = divided(np.array(evaluated.matrix_world, dtype=float))
     triangles = np.empty((0, 3), np.uint32)
-    if thing.type == "POINTCLOUD":
+    is_cloud = thing.type == "POINTCLOUD"
+    if is_cloud:
         points = evaluated.data.points
         xyz = _floats(points, "co", len(points))
     else:
@@ -86,6 +99,9 @@ def read(context: Any) -> Source:
             triangles = corners.astype(np.uint32)
         finally:
             evaluated.to_mesh_clear()
+        if not len(xyz):
+            xyz = cloud_of(depsgraph, thing)
+            is_cloud = len(xyz) > 0
     xyz = xyz.astype(float)
     if not np.array_equal(scale, np.eye(3)):
         xyz = xyz @ scale.T
@@ -94,7 +110,7 @@ def read(context: Any) -> Source:
         triangles = np.ascontiguousarray(triangles[:, ::-1])
     digest = hashlib.blake2b(xyz.tobytes(), digest_size=16)
     digest.update(triangles.tobytes())
-    return Source(thing.name, rigid, scale, Input(xyz, triangles, digest.digest()))
+    return Source(thing.name, rigid, scale, Input(xyz, triangles, digest.digest()), is_cloud)
 
 
 def write(context: Any, source: Source, parts: list[Any], hide: bool, material: bool = False) -> list[Any]:
@@ -182,7 +198,7 @@ def drawn(part: Drawn) -> Any:
 
 def painted(context: Any, original: Any, source: Source, part: Painted) -> Any:
     """A copy of an object's mesh, modifiers and scale applied, with values and colours."""
-    if original.type == "POINTCLOUD":
+    if source.is_cloud:
         mesh = bpy.data.meshes.new(part.name)
         mesh.vertices.add(len(source.input.xyz))
     else:

@@ -219,9 +219,8 @@ class MEDAX_OT_core(Inside, Base, bpy.types.Operator):
     bl_idname = "medax.core"
     bl_label = "Core"
     recipe = recipes.Core
-    shown = ("side", "repair", "extend", "theta", "rho", "skin", "inside", "sample", "spacing", "hide")
+    shown = ("repair", "extend", "theta", "rho", "skin", "inside", "sample", "spacing", "hide")
 
-    side: EnumProperty(name="Side", items=SIDES, default="inner")
     repair: BoolProperty(
         name="Repair", description="Add what the inner core needs to be connected as the solid is", default=True
     )

@@ -118,6 +118,16 @@ def mesh(source: Input) -> medax.Complex:
     return medax.Complex(source.xyz, source.triangles)
 
 
+def filled(made: medax.Complex, message: str) -> medax.Complex:
+    """A result of which something is to be seen: of nothing no object is made."""
+    if not len(made.vertices):
+        raise Refused(message)
+    return made
+
+
+EMPTY = "The surface is empty: the sample is too sparse"
+
+
 def span(values: np.ndarray) -> tuple[float, float]:
     """The least and the largest of some lengths."""
     values = values[np.isfinite(values)]
@@ -137,9 +147,9 @@ class PowerCrust(Recipe):
 
     def cook(self, source: Input, steps: Steps) -> Result:
         crust = crust_of(self, source, steps, 0.85)
-        surface = crust.surface
+        surface = filled(crust.surface, EMPTY)
         if self.open:
-            surface = crust.open(job=steps.job(0.95, "Holes"))[0]
+            surface = filled(crust.open(job=steps.job(0.95, "Holes"))[0], "Every face closes a hole: nothing is left")
         drawn = Drawn.of(self.title, surface, triangles=self.triangles, smooth=True)
         return Result([drawn], f"{len(surface.faces)} faces")
 
@@ -189,16 +199,16 @@ class MedialAxis(Recipe):
             clip=clip,
             job=steps.job(0.97, "Facets of the axis"),
         )
+        filled(axis, "No facet passes: take a smaller theta or rho, or a denser sample")
         least, most = span(axis.values("radius"))
         return Result([Drawn.of(self.title, axis)], f"{len(axis.faces)} faces, radius {{}} to {{}}", (least, most))
 
 
 @dataclasses.dataclass(frozen=True)
 class Core(Recipe):
-    """The core: what flows from the critical points of one side."""
+    """The core: what flows from the critical points inside. That of the other side goes to infinity, and nothing clips it."""
 
     title = "Core"
-    side: str = "inner"
     repair: bool = True
     extend: bool = False
     theta: float = math.pi / 8
@@ -210,9 +220,10 @@ class Core(Recipe):
         if self.extend:
             medial = self._medial(source, steps, 0.7)
             job = steps.job(0.75, "Facets of the axis")
-            facets = medial.selected(theta=self.theta, rho=self.rho, side=self.side, job=job)
+            facets = medial.selected(theta=self.theta, rho=self.rho, job=job)
         flow = self._flow(source, steps, 0.85)
-        core = flow.core(facets, side=self.side, repair=self.repair, job=steps.job(0.97, "Core")).complex
+        core = flow.core(facets, repair=self.repair, job=steps.job(0.97, "Core")).complex
+        filled(core, "The core is empty: there is no critical point inside")
         parts = [Drawn.of(self.title, core)]
         if self.skin:
             # Skin makes something of every edge, those of faces included: good for the few of a core, not for an axis.
@@ -249,11 +260,21 @@ class Thickness(Recipe):
 
         key = (self.omit, self.lambda_, self.label_rule)
         values = getattr(have.once("sizes", key, sizes), self.size)
+        self._check(source, values)
         ends = colours.ends(values, self.least, self.most)
         attributes = {self.size: values.astype(np.float32)}
         painted = Painted(self.title, attributes, self.size + "_colour", colours.of(values, *ends))
         name = self.size.replace("_", " ")
         return Result([painted], f"{name} {{}} to {{}}; red {{}}, blue {{}}", (*span(values), *ends))
+
+    def _check(self, source: Input, values: np.ndarray) -> None:
+        """What is 0 or nothing everywhere is no thickness."""
+        name = self.size.replace("_", " ")
+        if not np.isfinite(values).any():
+            raise Refused(f"There is no {name} anywhere: the sample is too sparse")
+        if not np.nanmax(values):
+            why = "do faces point inward?" if self._on_faces(source) else "the sample is too sparse"
+            raise Refused(f"Every {name} is 0: {why}")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -276,7 +297,7 @@ class IsoSurface(Recipe):
         if self.inner != "voronoi":
             filter_ = (self.theta, self.rho) if self.inner == "medial" else None
             pair = have.once("onto", (self.inside, self.inner, filter_), lambda: self._onto(source, steps, whole))
-        surface = pair.iso_surface(self.t, job=steps.job(0.97, "Surface"))
+        surface = filled(pair.iso_surface(self.t, job=steps.job(0.97, "Surface")), EMPTY)
         return Result([Drawn.of(self.title, surface, smooth=True)], f"{len(surface.faces)} faces")
 
     def _onto(self, source: Input, steps: Steps, whole: medax.Pair) -> medax.Pair:

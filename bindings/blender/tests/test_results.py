@@ -296,3 +296,44 @@ def test_radius_is_a_radius_of_curves_in_geometry_nodes():
     tube = core.evaluated_get(bpy.context.evaluated_depsgraph_get())
     height = vertices(tube)[:, 2].max()
     assert height == pytest.approx(0.4, abs=0.05) and height > least * 0.9
+
+
+def to_points(thing):
+    """A modifier that makes a point cloud of vertices."""
+    tree = bpy.data.node_groups.new("Points", "GeometryNodeTree")
+    for way in ("INPUT", "OUTPUT"):
+        tree.interface.new_socket("Geometry", in_out=way, socket_type="NodeSocketGeometry")
+    nodes = [tree.nodes.new(kind) for kind in ("NodeGroupInput", "GeometryNodeMeshToPoints", "NodeGroupOutput")]
+    for a, b in zip(nodes, nodes[1:]):
+        tree.links.new(a.outputs[0], b.inputs[0])
+    thing.modifiers.new("Points", "NODES").node_group = tree
+    bpy.context.view_layer.update()
+
+
+def test_points_that_a_modifier_makes_are_read():
+    source = torus()
+    source.location, source.scale = (1, 2, 3), (2, 2, 2)
+    to_points(source)
+    assert bpy.ops.medax.medial_axis(hide=False) == {"FINISHED"}
+    axis = bpy.context.active_object
+    assert np.allclose(values(axis.data, "radius"), nearest(vertices(source, True), vertices(axis, True)), atol=1e-5)
+    bpy.context.view_layer.objects.active = source
+    assert bpy.ops.medax.thickness() == {"FINISHED"}
+    made = bpy.context.active_object
+    assert len(made.data.vertices) == len(source.data.vertices) and not made.data.polygons
+    assert np.quantile(values(made.data, "thickness"), 0.5) == pytest.approx(1.6, abs=0.05)
+
+
+def test_what_the_viewport_shows_is_read():
+    source = torus(24, 10)
+    modifier = source.modifiers.new("Subdivision", "SUBSURF")
+    modifier.show_viewport, modifier.show_render = False, True
+    assert bpy.ops.medax.thickness() == {"FINISHED"}
+    assert len(bpy.context.active_object.data.vertices) == len(source.data.vertices)
+
+
+def test_the_core_is_an_inner_one():
+    assert "side" not in bpy.ops.medax.core.get_rna_type().properties
+    source = torus()
+    assert bpy.ops.medax.core(extend=True) == {"FINISHED"}
+    assert np.abs(vertices(bpy.context.active_object)).max() <= np.abs(vertices(source)).max()

@@ -2,6 +2,7 @@
 """How operators run: steps, cancel, undo, what is not built again, errors."""
 
 import math
+import re
 import time
 
 import bpy
@@ -253,3 +254,44 @@ def test_results_are_those_of_the_library(addon):
     made.data.attributes["sample"].data.foreach_get("value", sample)
     assert np.array_equal(sample, expected.values("sample").astype(np.uint32).view(np.int32))
     assert math.isfinite(values(made.data, "sample").sum())
+
+
+def cube():
+    bpy.ops.mesh.primitive_cube_add()
+    return bpy.context.active_object
+
+
+def inward():
+    source = torus()
+    source.data.flip_normals()
+    return source
+
+
+@pytest.mark.parametrize(
+    "make, name, settings, message",
+    (
+        (cube, "power_crust", {}, "The surface is empty: the sample is too sparse"),
+        (cube, "medial_axis", {}, "No facet passes: take a smaller theta or rho"),
+        (cube, "medial_axis", {"rule": "every", "object_angle": 1.0}, "or a denser sample"),
+        (inward, "thickness", {}, "Every thickness is 0: do faces point inward?"),
+        (cube, "thickness", {"sample": "VERTICES"}, "the sample is too sparse"),
+    ),
+)
+def test_where_nothing_is_made_that_is_an_error(make, name, settings, message):
+    source = make()
+    before = names(), len(bpy.data.meshes), len(bpy.data.materials)
+    with pytest.raises(RuntimeError, match=re.escape(message)):
+        getattr(bpy.ops.medax, name)(**settings)
+    assert (names(), len(bpy.data.meshes), len(bpy.data.materials)) == before
+    assert not source.hide_get() and source.select_get() and bpy.context.active_object == source
+
+
+@pytest.mark.parametrize("name", OPERATORS)
+def test_a_cube_makes_something_or_is_an_error(name):
+    cube()
+    try:
+        assert getattr(bpy.ops.medax, name)() == {"FINISHED"}
+    except RuntimeError:
+        assert names() == ["Cube"]
+    else:
+        assert len(bpy.context.active_object.data.vertices)
