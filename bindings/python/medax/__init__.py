@@ -16,6 +16,7 @@
 
 from __future__ import annotations
 
+from ._explained import explain_methods as _explain_methods
 from ._ffi import (
     CellType,
     ChainKind,
@@ -152,3 +153,14 @@ __all__ = [
     "largest_missed_angle",
     "progress_bar",
 ]
+
+# What `**` takes is told where it is taken, of the classes that others inherit from, too.
+_explain_methods(
+    {
+        base
+        for kind in list(vars().values())
+        if isinstance(kind, type) and issubclass(kind, Handle)
+        for base in kind.__mro__
+        if base.__module__.startswith(__name__)
+    }
+)

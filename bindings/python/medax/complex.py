@@ -309,7 +309,8 @@ class Complex(Validated, Attributed, stem="complex"):
     def compare(
         self, other: Complex, *, samples: Optional[int] = None, seed: Optional[int] = None, **how: Unpack[How]
     ) -> Comparison:
-        """How far this complex (`a`) and another one (`b`) are apart, by `samples` (100,000) points of each."""
+        """How far this complex (`a`) and another one (`b`) are apart, by `samples` (100,000) points of each, which
+        `seed` (0) chooses."""
         given = options(_ffi.medax_compare_options, samples=samples, seed=seed)
         report = report_of(_ffi.medax_comparison)
         a, b, call = self._ref, ref(other, Complex, "other"), lib.medax_complex_compare

@@ -254,7 +254,11 @@ class Sites(Handle, stem="sites"):
         **how: Unpack[How],
     ) -> Decision:
         """Whether a circle or a sphere that the boundary does not enter holds a medial point. It is looked at into some
-        directions (d, 3)."""
+        directions (d, 3).
+
+        - `tolerance`: nearest points no farther apart than this are the same, in input units; 1e-9 of `size`.
+        - `epsilon`: how far a point that is found may be from the axis, in input units; 1e-6 of `size`.
+        """
         given = options(_ffi.medax_decide_options, tolerance=tolerance, epsilon=epsilon)
         at, ways, length = vector(center, "center"), floats(directions, "directions"), number(radius, "radius")
         theta, report = np.empty((2 * len(ways), 3)), report_of(_ffi.medax_decision)
@@ -287,12 +291,18 @@ class FieldAxisOptions(TypedDict, total=False):
     """Which points of the medial axis, how dense, and how near to it. Lengths in input units, angles in radians.
 
     - `density`: within this distance of what is found there is a point; a hundredth of `Sites.size`.
-    - `object_angle`, `min_distance`: the least of a point.
-    - `bound`: in the plane the largest object angle that a point may have and be missed; pi/9.
-    - `tolerance`, `epsilon`: how near nearest points are the same; how far a point may be from the axis.
-    - `clip`: two corners of a box that holds what is looked at. `side`: "inner", "outer", "both".
-    - `samples`: the number of points at which each circle or sphere is looked at.
-    - `between_sites`: only what has its nearest points on two sites.
+    - `object_angle`: the least object angle of a point, in radians in [0, pi]; 0.
+    - `min_distance`: the least distance of a point from the boundary; a quarter of the density in the plane, 0 in
+      space.
+    - `bound`: in the plane the largest object angle that a point may have and be missed, in radians; pi/9.
+    - `tolerance`: nearest points no farther apart than this are the same; 1e-9 of `Sites.size`.
+    - `epsilon`: how far a point may be from the axis; 1e-6 of `Sites.size`.
+    - `clip`: two corners of a box that holds what is looked at; the box of the sites, larger if the outside is asked
+      for.
+    - `side`: "inner", "outer" or "both"; "inner".
+    - `samples`: the number of points at which each circle or sphere is looked at; what the bound takes in the plane,
+      60 in space.
+    - `between_sites`: only what has its nearest points on two sites; False.
     """
 
     density: Optional[float]
@@ -311,7 +321,12 @@ class MedialGraphOptions(TypedDict, total=False):
     """Which part of the axis, and how finely. Lengths in input units, angles in radians.
 
     - `spacing`: the longest edge of an arc; a hundredth of `Sites.size`.
-    - the others as for `FieldAxisOptions`.
+    - `object_angle`: the least object angle, in radians in [0, pi]; 0.
+    - `min_distance`: the least distance from the boundary; 0.
+    - `clip`: two corners of a box that holds what is looked at; the box of the sites, larger if the outside is asked
+      for.
+    - `side`: "inner", "outer" or "both"; "inner".
+    - `between_sites`: only what has its nearest points on two sites; False.
     """
 
     spacing: Optional[float]

@@ -98,7 +98,12 @@ class Figure(Validated, stem="figure"):
         crossings: Union[Crossings, str, None] = None,
         **how: Unpack[How],
     ) -> Figure:
-        """A figure of a GeoJSON file: of all features, of those of a name, or of one by its number."""
+        """A figure of a GeoJSON file: of all features, of those of a name, or of one by its number.
+
+        - `feature_name`: the `id`, or a property `name`, `NAME`, `glyph` or `id`; any.
+        - `feature_number`: from 0, not together with a name; any.
+        - `crossings`: as for the class; "refuse".
+        """
         given = options(
             _ffi.medax_figure_read_options,
             feature_name=None if feature_name is None else feature_name.encode(),

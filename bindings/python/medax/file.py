@@ -54,7 +54,8 @@ class File(Attributed, stem="file"):
         return self._kept("warnings", Warnings)
 
     def points(self, *, skip_non_finite: Optional[bool] = None, **how: Unpack[How]) -> Points:
-        """The points of a file: of a mesh the vertices that a face or an edge uses, else all."""
+        """The points of a file: of a mesh the vertices that a face or an edge uses, else all. `skip_non_finite`
+        (False) leaves out rows with a NaN or an infinity."""
         given = options(_ffi.medax_points_options, skip_non_finite=skip_non_finite)
         made: Points = build(Points, how, lib.medax_file_points, self._ref, ctypes.byref(given))
         return made

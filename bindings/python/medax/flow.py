@@ -177,8 +177,9 @@ class Flow(Validated, stem="flow"):
         repair: Optional[bool] = None,
         **how: Unpack[How],
     ) -> Core:
-        """The core of one side ("inner"), extended by Voronoi facets, such as `Medial.selected` has them. `repair`
-        (True) gives the inner core the homotopy type of the labelled solid, however sparse the sample is."""
+        """The core of one `side` ("inner", "outer", "both"; "inner"), extended by Voronoi facets, such as
+        `Medial.selected` has them. An outer core goes to infinity: nothing clips it. `repair` (True) gives
+        the inner core the homotopy type of the labelled solid, however sparse the sample is."""
         given = options(_ffi.medax_core_options, side=None if side is None else Side.of(side), repair=repair)
         extending = indices(() if facets is None else facets, "facets")
         report = report_of(_ffi.medax_core_report)

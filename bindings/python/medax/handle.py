@@ -131,6 +131,7 @@ class Handle:
     def _box(self, dimension: int = 3) -> NDArray[np.float64]:
         box = np.empty((2, dimension))
         check(getattr(lib, self._stem + "_bounds")(self._ref, box[0].ctypes.data, box[1].ctypes.data))
+        box.flags.writeable = False
         return box
 
 

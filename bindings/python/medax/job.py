@@ -32,7 +32,13 @@ INTERVAL = 0.05
 
 
 class How(TypedDict, total=False):
-    """How to run a build: a `job`, or the settings of a fresh one."""
+    """How to run a build: a `job`, or the settings of a fresh one.
+
+    - `job`: the `Job` to run in, which can be cancelled and watched from other threads; a fresh one.
+    - `progress`: called as `progress(fraction, stage)`; to return False cancels; none.
+    - `threads`: the most threads; 0: what MEDAX_THREADS says, or one per processor.
+    - `memory_ceiling`: the most bytes that the build's own arrays may take at once; 0: no ceiling.
+    """
 
     job: Optional[Job]
     progress: Optional[Progress]

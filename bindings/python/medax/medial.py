@@ -32,8 +32,8 @@ class MedialFilter(TypedDict, total=False):
     - `object_angle`: the least object angle, in radians in [0, pi]; 0.
     - `lambda_`: the least lambda, in input units; 0.
     - `scale`: the least pairwise scale; 0 asks for nothing, anything else for a Medial with `scales`.
-    - `clip`: two corners of a box to which the axis is clipped, so that it keeps its unbounded facets.
-    - `rule`: "angle_or_ratio", "angle", "ratio" or "every".
+    - `clip`: two corners of a box to which the axis is clipped, so that it keeps its unbounded facets; none.
+    - `rule`: "angle_or_ratio", "angle", "ratio" or "every"; "angle_or_ratio".
     - `side`: "inner", "outer" or "both"; "inner" with labels, else "both".
     """
 

@@ -31,6 +31,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Optional, TypedDict, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._explained import explain
 from ._ffi import Element, Label, LabelRule, Omit, Side, Status
 from .cocone import Cocone
 from .complex import Complex
@@ -53,7 +54,17 @@ if TYPE_CHECKING:
 
 
 class CrustOptions(TypedDict, total=False):
-    """How a power crust is made: see `PowerCrust.of`."""
+    """How a power crust is made: see `PowerCrust.of`.
+
+    - `deep`: balls whose -cos of the angle between their spheres exceeds this lie on one side, in [0, 1]; 0.4.
+    - `lambda_`: the spacing of the sample relative to the feature size, in [0, pi/4), where poles are left out; 0:
+      estimated.
+    - `round_poles`: centres of balls are rounded to a grid, which is faster; False.
+    - `keep_shards`: the vertices of the power diagram that are one sample stay apart; False.
+    - `omit`: poles that are left out: "nothing", "side" (noise) or "both" (sharp edges); "nothing".
+    - `label_rule`: "auto", "spread" or "least_conflict"; "auto".
+    - `viewpoint`: where the scanner of a one-sided scan was, 3 coordinates; none.
+    """
 
     deep: Optional[float]
     lambda_: Optional[float]
@@ -92,7 +103,11 @@ def surface(
     given, steps = _split(options, CrustOptions)
     taken = _taken(meshes)
     crust = PowerCrust.of(Points(taken.vertices, job=steps.until(0.02)), **given, job=steps.until(0.9))
-    parts = crust.open(job=steps.until(1))[0] if open else crust.surface
+    parts = _filled(crust.surface)
+    if open:
+        parts = crust.open(job=steps.until(1))[0]
+        if not len(parts.faces):
+            raise ArgumentError("every face closes a hole: nothing is left")
     made = [_Layers("Power Crust", parts)]
     if shape:
         made.append(_Layers("Power Shape", crust.shape(Label.INNER)))
@@ -196,11 +211,17 @@ def thickness(
             raise ArgumentError("spacing is for samples on faces, of which none are used")
         crust = PowerCrust.of(Points(taken.vertices, job=steps.until(0.02)), **given, job=steps.until(0.85))
     sizes = crust.sizes_at(taken.vertices, job=steps.until(1))
+    values, name = getattr(sizes, size), size.replace("_", " ")
+    if not np.isfinite(values).any():
+        raise ArgumentError(f"there is no {name} anywhere: the sample is too sparse")
+    if not np.nanmax(values):
+        why = "do faces point inward?" if faces else "the sample is too sparse"
+        raise ArgumentError(f"every {name} is 0: {why}")
     steps.end()
     module = _module("pymeshlab")
-    layer = module.Mesh(taken.vertices, taken.faces, taken.edges, v_scalar_array=getattr(sizes, size))
-    for name, values in sizes._asdict().items():
-        layer.add_vertex_custom_scalar_attribute(values, name)
+    layer = module.Mesh(taken.vertices, taken.faces, taken.edges, v_scalar_array=values)
+    for label, each in sizes._asdict().items():
+        layer.add_vertex_custom_scalar_attribute(each, label)
     return _put(meshes, [("Thickness" if size == "thickness" else "Feature Size", layer)])
 
 
@@ -240,7 +261,7 @@ def iso_surface(
         pair = pair.onto(part, job=steps.until(0.9))
     made = []
     for done, share in enumerate(shares, 1):
-        found = pair.iso_surface(share, job=steps.until(0.9 + 0.1 * done / len(shares)))
+        found = _filled(pair.iso_surface(share, job=steps.until(0.9 + 0.1 * done / len(shares))))
         # MeshLab takes what follows a point for a file's ending, and numbers names before it.
         made.append(_Layers(f"Iso-surface {100 * share:g}%", found))
     steps.end()
@@ -372,6 +393,13 @@ def _axis(dual: Dual, labels: Labels, filter: Any, end: float, steps: _Steps) ->
     return made
 
 
+def _filled(surface: Complex) -> Complex:
+    """A surface that is there: of none no layer comes, and a caller would not know why."""
+    if not len(surface.faces):
+        raise ArgumentError("the surface is empty: the sample is too sparse")
+    return surface
+
+
 # ---- Layers out ----
 
 
@@ -443,5 +471,8 @@ def _put(meshes: Any, layers: Iterable[tuple[str, Any]]) -> list[int]:
         meshes.set_current_mesh(ids[0])
     return ids
 
+
+for _function in (axis, core, iso_surface, surface, thickness):
+    explain(_function)  # type: ignore[arg-type]
 
 __all__ = ["CrustOptions", "axis", "core", "iso_surface", "surface", "thickness"]

@@ -46,7 +46,8 @@ class Points(Handle, stem="points"):
 
     @classmethod
     def read(cls, path: Path, *, skip_non_finite: Optional[bool] = None, **how: Unpack[How]) -> Points:
-        """The points of a file: of a mesh the vertices that a face or an edge uses, else all."""
+        """The points of a file: of a mesh the vertices that a face or an edge uses, else all. `skip_non_finite`
+        (False) leaves out rows with a NaN or an infinity."""
         given = options(_ffi.medax_points_options, skip_non_finite=skip_non_finite)
         made: Points = build(cls, how, lib.medax_points_read, path_of(path), ctypes.byref(given))
         return made

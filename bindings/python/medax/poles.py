@@ -51,7 +51,8 @@ class Poles(Validated, stem="poles"):
         omit: Union[Omit, str, None] = None,
         **how: Unpack[How],
     ) -> Poles:
-        """The poles of a sample with the far box: those from which a power crust is made."""
+        """The poles of a sample with the far box: those from which a power crust is made. `omit` and `lambda_` as
+        for `of`: "nothing", and 0 to estimate it."""
         given = options(_ffi.medax_poles_options, **{"lambda": lambda_, "omit": omit and Omit.of(omit)})
         owner = ref(points, Points, "points")
         made: Poles = build(cls, how, lib.medax_poles_build_with_far_box, owner, ctypes.byref(given))

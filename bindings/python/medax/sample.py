@@ -100,7 +100,7 @@ class Samples(Handle, stem="samples"):
         return self._kept("complex", Complex)
 
     def points(self, *, skip_non_finite: Optional[bool] = None, **how: Unpack[How]) -> Points:
-        """The samples as points."""
+        """The samples as points. `skip_non_finite` (False) leaves out rows with a NaN or an infinity."""
         return Points(self.coords, skip_non_finite=skip_non_finite, **how)
 
     def _told(self) -> str:

@@ -28,6 +28,8 @@ def test_points():
     assert np.array_equal(points.coords[points.vertex_of_row], xyz)
     assert np.array_equal(xyz[points.row_of_vertex], points.coords)
     assert points.bounds.tolist() == [[0, 0, 0], [4, 5, 6]]
+    with pytest.raises(ValueError, match="read-only"):
+        points.bounds[0] = 7
     assert repr(points) == "<medax.Points: 3 points, 1 duplicates>"
 
 

@@ -427,3 +427,26 @@ def test_the_manual_says_what_works(samples, box_mesh, tmp_path, monkeypatch, ca
     assert capsys.readouterr().out.split("\n")[0] == str(TORUS.genus)
     assert names["radius"].max() < 0.5
     assert names["thinnest"] > 0
+
+
+@pytest.mark.parametrize("options", ({}, {"shape": True}, {"open": True}))
+def test_a_surface_of_eight_corners_is_an_error(options):
+    meshes = pymeshlab.MeshSet()
+    meshes.create_cube()
+    with pytest.raises(medax.ArgumentError, match="the surface is empty: the sample is too sparse"):
+        meshlab.surface(meshes, **options)
+    assert meshes.mesh_number() == 1
+
+
+def test_the_thickness_of_faces_that_point_inward_is_an_error(box_mesh):
+    vertices, faces = box_mesh
+    meshes = set_of(vertices, faces[:, ::-1])
+    with pytest.raises(medax.ArgumentError, match="every thickness is 0: do faces point inward?"):
+        meshlab.thickness(meshes)
+    assert meshes.mesh_number() == 1
+
+
+def test_the_options_are_explained():
+    for make in (meshlab.surface, meshlab.axis, meshlab.core, meshlab.thickness, meshlab.iso_surface):
+        assert "- `threads`: " in make.__doc__
+    assert "- `theta`: " in meshlab.axis.__doc__ and "- `deep`: " in meshlab.surface.__doc__

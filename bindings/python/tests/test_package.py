@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
 """Loading, errors, enumerations, types."""
 
+import inspect
 import os
 import pathlib
 import pickle
@@ -10,7 +11,7 @@ import sys
 import pytest
 
 import medax
-from medax import _library
+from medax import _library, distance, job, medial
 
 
 def imported(**environment):
@@ -83,6 +84,39 @@ def test_what_can_be_called_is_explained():
             for name in dir(kind):
                 if not name.startswith("_"):
                     assert getattr(kind, name).__doc__, f"{kind.__name__}.{name}"
+
+
+def test_every_option_is_explained():
+    """By name, where `help` shows it; those of a constructor in the docstring of the class as well."""
+    more = {
+        "Medial.axis": medial.MedialFilter,
+        "Medial.selected": medial.MedialFilter,
+        "FieldAxis.of": distance.FieldAxisOptions,
+        "FieldAxis.between": distance.FieldAxisOptions,
+        "MedialGraph.of": distance.MedialGraphOptions,
+        "MedialGraph.between": distance.MedialGraphOptions,
+    }
+    seen = set()
+    for kind in vars(medax).values():
+        if not (isinstance(kind, type) and issubclass(kind, medax.Handle)):
+            continue
+        for name in ["__init__", *(name for name in dir(kind) if not name.startswith("_"))]:
+            method = getattr(kind, name)
+            if not inspect.isroutine(method):
+                continue
+            taken = inspect.signature(method).parameters.values()
+            if not any(each.kind == each.VAR_KEYWORD and "Unpack" in str(each.annotation) for each in taken):
+                continue
+            label = f"{kind.__name__}.{name}"
+            seen.add(label)
+            wanted = {each.name for each in taken if each.kind == each.KEYWORD_ONLY} | set(job.How.__annotations__)
+            if label in more:
+                wanted |= set(more[label].__annotations__)
+            told = method.__doc__ + (kind.__doc__ if name == "__init__" else "")
+            missing = {option for option in wanted if f"`{option}`" not in told}
+            assert not missing, f"{label}: {missing}"
+    assert len(seen) > 60 and set(more) <= seen
+    assert "- `theta`: of the angle condition, in radians in [0, pi/2); pi/8." in medax.Medial.axis.__doc__
 
 
 def test_types(tmp_path):
