@@ -250,7 +250,9 @@ class Complex(Validated, Attributed, stem="complex"):
     def bounds(self) -> Floats:
         """The smallest box that holds every vertex, (2, 3): its least corner and its greatest; NaN without one."""
         xyz = self.vertices
-        return np.stack([xyz.min(axis=0), xyz.max(axis=0)]) if len(xyz) else np.full((2, 3), np.nan)
+        box = np.stack([xyz.min(axis=0), xyz.max(axis=0)]) if len(xyz) else np.full((2, 3), np.nan)
+        box.flags.writeable = False
+        return box
 
     def topology(self, **how: Unpack[How]) -> Topology:
         """Counts, components, boundary, genus, Betti numbers."""

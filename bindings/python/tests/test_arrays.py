@@ -261,3 +261,15 @@ def test_attributes_go_in_and_out():
     ):
         with pytest.raises(medax.MedaxError):
             medax.Complex(XYZ, attributes=wrong)
+
+
+def test_every_array_of_a_property_is_read_only(torus):
+    some = 0
+    for made in (*vars(torus).values(), torus.crust.surface, torus.crust.poles):
+        for name in dir(type(made)):
+            if isinstance(getattr(type(made), name), property):
+                value = getattr(made, name)
+                if isinstance(value, np.ndarray):
+                    some += 1
+                    assert not value.flags.writeable, f"{type(made).__name__}.{name}"
+    assert some > 40
