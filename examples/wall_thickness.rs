@@ -13,12 +13,10 @@ use std::sync::Arc;
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let [part, limit, mesh] = arguments.as_slice() else {
-        return usage();
+    let Some([part, limit, mesh]) = understood(&arguments) else {
+        eprintln!("usage: wall_thickness PART LIMIT MESH");
+        return ExitCode::from(2);
     };
-    if limit.parse::<f64>().is_err() {
-        return usage();
-    }
     match run(part, limit, mesh) {
         Ok(counts) => {
             println!("{counts}");
@@ -31,9 +29,10 @@ fn main() -> ExitCode {
     }
 }
 
-fn usage() -> ExitCode {
-    eprintln!("usage: wall_thickness PART LIMIT MESH");
-    ExitCode::from(2)
+/// The three arguments, if they are three and the limit is a number.
+pub fn understood(arguments: &[String]) -> Option<&[String; 3]> {
+    let arguments: &[String; 3] = arguments.try_into().ok()?;
+    arguments[1].parse::<f64>().is_ok().then_some(arguments)
 }
 
 /// Writes the part with its thickness and says how many vertices are thinner than the limit.

@@ -41,3 +41,14 @@ fn a_power_crust_is_that_of_the_other_languages() {
 fn wall_thickness_is_that_of_the_other_languages() {
     check("wall_thickness", |out| wall_thickness::run(PART, "2.5", out));
 }
+
+#[test]
+fn a_limit_that_is_no_number_is_not_understood() {
+    let arguments = |limit: &str| [PART, limit, "out.ply"].map(String::from);
+    for (limit, is_number) in
+        [("2.5", true), ("1e-3", true), ("abc", false), ("2.5mm", false), ("", false)]
+    {
+        assert_eq!(wall_thickness::understood(&arguments(limit)).is_some(), is_number, "{limit}");
+    }
+    assert!(wall_thickness::understood(&arguments("2.5")[..2]).is_none());
+}
