@@ -132,10 +132,13 @@ pub struct StageTime {
     pub cpu_seconds: f64,
 }
 
+/// More threads than any machine has use for: each takes memory, which no ceiling counts.
+const MOST_THREADS: usize = 1024;
+
 /// The settings of a [`Job`].
 #[derive(Default)]
 pub struct JobOptions {
-    /// The most threads that builds may use; 0 means what the environment variable `MEDAX_THREADS` says, or
+    /// The most threads that builds may use, of which there are never more than 1,024; 0 means what the environment variable `MEDAX_THREADS` says, or
     /// one per processor. Results do not depend on it.
     pub threads: usize,
     /// The most bytes that a build's own arrays may take at once; 0 means no ceiling.
@@ -206,7 +209,7 @@ impl Job {
     pub fn threads(&self) -> usize {
         match self.options.threads {
             0 => default_threads(),
-            n => n,
+            n => n.min(MOST_THREADS),
         }
     }
 
@@ -256,7 +259,7 @@ fn default_threads() -> usize {
     *DEFAULT.get_or_init(|| {
         let asked = std::env::var("MEDAX_THREADS").ok().and_then(|value| value.parse().ok());
         let processors = || thread::available_parallelism().map_or(1, |n| n.get());
-        asked.filter(|&threads| threads > 0).unwrap_or_else(processors)
+        asked.filter(|&threads| threads > 0).unwrap_or_else(processors).min(MOST_THREADS)
     })
 }
 

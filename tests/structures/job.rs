@@ -100,3 +100,11 @@ fn memory_is_given_back() {
     .unwrap();
     assert_eq!(job.memory_peak(), 1000);
 }
+
+#[test]
+fn no_job_has_more_threads_than_it_can_have() {
+    for (asked, given) in [(1, 1), (7, 7), (1_000_000_000, 1024)] {
+        let job = Job::new(JobOptions { threads: asked, ..JobOptions::default() });
+        assert_eq!(job.threads(), given);
+    }
+}
