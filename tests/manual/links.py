@@ -20,7 +20,7 @@ PROMISED = {
     "cost": r"\*\*Cost\b",
 }
 # Pages whose parameters a picture can show.
-NO_PICTURE = {"index", "predicates", "pair"}
+NO_PICTURE = {"index", "predicates"}
 
 problems = []
 
