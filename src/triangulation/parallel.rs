@@ -36,6 +36,12 @@ pub(super) fn threads(vertices: usize, run: &Run<'_>) -> usize {
     run.threads().min(vertices / PER_THREAD).clamp(1, MOST_THREADS)
 }
 
+/// The steps of a stage that inserts so many vertices: one each, and for the last quarter, in which the cells are
+/// brought into order.
+fn steps(vertices: usize) -> usize {
+    vertices + vertices / 3
+}
+
 /// The workers of one build, and how far they are.
 pub(super) struct Crew<'a, S> {
     run: &'a Run<'a>,
@@ -87,7 +93,7 @@ impl<'a, S: Site> Crew<'a, S> {
         worker.begin(&[self.near]);
         for (i, vertex) in vertices.enumerate() {
             if i % TICK == 0 {
-                run.tick(self.done.fetch_add(TICK, Ordering::Relaxed), sites.len())?;
+                run.tick(self.done.fetch_add(TICK, Ordering::Relaxed), steps(sites.len()))?;
             }
             if worker.dig::<S, false>(&mut cells.whole(), sites, vertex, run)? == Dug::Cavity {
                 worker.provide(cells)?;
@@ -160,7 +166,7 @@ impl<'a, S: Site> Crew<'a, S> {
                 if i % TICK == 0 {
                     // Seldom: what several threads write goes from one processor to the other each time.
                     let done = done.fetch_add(std::mem::take(&mut inserted), Ordering::Relaxed);
-                    run.tick(done, sites.len())?;
+                    run.tick(done, steps(sites.len()))?;
                 }
                 if begun && worker.insert(&mut patch, sites, vertex, run)? {
                     inserted += 1;

@@ -275,7 +275,9 @@ fn a_job_stops_it_and_bounds_its_memory() {
     let job = Arc::new(Job::default());
     let canceller = Arc::clone(&job);
     let cancelled = std::thread::spawn(move || {
-        std::thread::sleep(Duration::from_millis(100));
+        while canceller.progress() < 0.1 {
+            std::thread::sleep(Duration::from_millis(1));
+        }
         canceller.cancel();
         Instant::now()
     });

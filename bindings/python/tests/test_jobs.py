@@ -36,56 +36,68 @@ def quickest(attempt, tries=4):
     return min(taken)
 
 
-def interrupted(build, delay):
-    """Seconds from Ctrl-C to KeyboardInterrupt."""
-    sent = []
+def when(job, fraction, act):
+    """A thread that acts once the job is so far: seconds would be others on another machine."""
+
+    def wait():
+        while job.stage == "idle" or job.progress < fraction:
+            time.sleep(0.001)
+        act()
+
+    thread = threading.Thread(target=wait)
+    thread.start()
+    return thread
+
+
+def interrupted(build, fraction, **settings):
+    """Seconds from Ctrl-C, when `build(job)` is so far, to KeyboardInterrupt."""
+    job, sent = medax.Job(threads=2, **settings), []
 
     def send():
         sent.append(time.perf_counter())
         os.kill(os.getpid(), signal.SIGINT)
 
-    timer = threading.Timer(delay, send)
-    timer.start()
+    sender = when(job, fraction, send)
     with pytest.raises(KeyboardInterrupt):
-        build()
+        build(job)
     taken = time.perf_counter() - sent[0]
-    timer.join()
+    sender.join()
     return taken
 
 
-@pytest.mark.parametrize("delay", [0.05, 0.3, 0.8, 1.5])
-def test_ctrl_c_cancels_a_million_points(million_points, delay):
-    taken = quickest(lambda: interrupted(lambda: medax.Triangulation.delaunay(million_points), delay))
-    print(f"interrupted after {delay} s: {taken * 1000:.0f} ms")
+@pytest.mark.parametrize("fraction", [0, 0.1, 0.4, 0.7])
+def test_ctrl_c_cancels_a_million_points(million_points, fraction):
+    taken = quickest(lambda: interrupted(lambda job: medax.Triangulation.delaunay(million_points, job=job), fraction))
+    print(f"interrupted at {fraction:.0%}: {taken * 1000:.0f} ms")
     assert taken < LIMIT
 
 
 def test_ctrl_c_cancels_reading_an_array(million):
-    assert quickest(lambda: interrupted(lambda: medax.Points(million), 0.03)) < LIMIT
+    assert quickest(lambda: interrupted(lambda job: medax.Points(million, job=job), 0.1)) < LIMIT
 
 
 def test_ctrl_c_with_a_progress_function(million_points):
-    def build():
-        medax.Triangulation.delaunay(million_points, progress=lambda fraction, stage: None)
+    def build(job):
+        medax.Triangulation.delaunay(million_points, job=job)
 
-    assert quickest(lambda: interrupted(build, 0.3)) < LIMIT
+    assert quickest(lambda: interrupted(build, 0.3, progress=lambda fraction, stage: None)) < LIMIT
 
 
 @pytest.mark.parametrize("how", ["false", "raise"])
-@pytest.mark.parametrize("delay", [0.1, 0.9])
-def test_the_hook_stops_a_million_points(million_points, how, delay):
+@pytest.mark.parametrize("least", [0.1, 0.6])
+def test_the_hook_stops_a_million_points(million_points, how, least):
     def attempt():
-        begun, stopped = time.perf_counter(), []
+        stopped = []
 
         def hook(fraction, stage):
-            if time.perf_counter() - begun > delay:
+            if fraction >= least:
                 stopped.append(time.perf_counter())
                 if how == "raise":
                     raise RuntimeError("enough")
                 return False
 
         with pytest.raises(RuntimeError if how == "raise" else medax.MedaxError) as caught:
-            medax.Triangulation.delaunay(million_points, progress=hook)
+            medax.Triangulation.delaunay(million_points, threads=2, progress=hook)
         taken = time.perf_counter() - stopped[0]
         if how == "false":
             assert caught.value.status == medax.Status.CANCELLED
@@ -94,14 +106,14 @@ def test_the_hook_stops_a_million_points(million_points, how, delay):
         return taken
 
     taken = quickest(attempt)
-    print(f"stopped by {how} after {delay} s: {taken * 1000:.0f} ms")
+    print(f"stopped by {how} at {least:.0%}: {taken * 1000:.0f} ms")
     assert taken < LIMIT
 
 
 @pytest.mark.parametrize("where", ["main", "other"])
 def test_a_job_is_cancelled_from_another_thread(million_points, where):
     def attempt():
-        job, cancelled, ended = medax.Job(), [], []
+        job, cancelled, ended = medax.Job(threads=2), [], []
 
         def build():
             with pytest.raises(medax.MedaxError) as caught:
@@ -109,15 +121,17 @@ def test_a_job_is_cancelled_from_another_thread(million_points, where):
             ended.append((time.perf_counter(), caught.value.status))
 
         def cancel():
-            time.sleep(0.3)
             cancelled.append(time.perf_counter())
             job.cancel()
 
-        first, second = (build, cancel) if where == "main" else (cancel, build)
-        thread = threading.Thread(target=second)
-        thread.start()
-        first()
-        thread.join()
+        if where == "main":
+            other = when(job, 0.3, cancel)
+            build()
+        else:
+            other = threading.Thread(target=build)
+            other.start()
+            when(job, 0.3, cancel).join()
+        other.join()
         assert ended[0][1] == medax.Status.CANCELLED and job.is_cancelled
         with pytest.raises(medax.MedaxError):
             medax.Points([[0, 0, 0]], job=job)

@@ -5,6 +5,7 @@ import importlib.util
 import pathlib
 import re
 import threading
+import time
 
 import numpy as np
 import pytest
@@ -403,11 +404,17 @@ def test_a_job_is_used_and_can_be_cancelled(torus):
 def test_another_thread_cancels():
     meshes = set_of(np.random.default_rng(0).random((200_000, 3)))
     job = medax.Job()
-    timer = threading.Timer(0.1, job.cancel)
-    timer.start()
+
+    def cancel():
+        while job.stage != "triangulate":
+            time.sleep(0.001)
+        job.cancel()
+
+    thread = threading.Thread(target=cancel)
+    thread.start()
     with pytest.raises(medax.MedaxError) as caught:
         meshlab.axis(meshes, job=job)
-    timer.join()
+    thread.join()
     assert caught.value.status == medax.Status.CANCELLED and meshes.mesh_number() == 1
 
 

@@ -41,6 +41,8 @@ pub(super) fn canonical(built: Parts, run: &Run<'_>) -> Result<CellsAndNeighbors
     let begins = places.assign(&mut slots, infinite, &mut room, run)?;
     places.name(slots.again(), |facet| facet >> 2, run)?;
     arrange(slots.again(), places, 0, &begins, run.threads(), run)?;
+    // The middle of the stage's last quarter: see `parallel.rs`.
+    run.tick(7, 8)?;
     let finite = begins[places.partitions] as usize;
     sort(slots.split_at(finite).0, places, &begins[..=places.partitions], run)?;
     cells.truncate(finite);
