@@ -28,15 +28,6 @@ def sample(default: str) -> Any:
     )
 
 
-THETA = {"name": "Theta", "subtype": "ANGLE", "default": math.pi / 8, "min": 0, "max": math.radians(89.9)}
-RHO = {"name": "Rho", "default": 8, "min": 0, "soft_max": 40}
-SIDES = (
-    ("inner", "Inner", "In the solid"),
-    ("outer", "Outer", "Outside of the solid"),
-    ("both", "Both", "On both sides"),
-)
-
-
 class Base:
     """What all operators have. Settings with the names of those of the recipe are its settings."""
 
@@ -118,6 +109,33 @@ class Inside:
     )
 
 
+class Filter:
+    """Which facets of the medial axis pass."""
+
+    theta: FloatProperty(
+        name="Theta",
+        description="The angle condition of the medial axis: more prunes more",
+        subtype="ANGLE",
+        default=math.pi / 8,
+        min=0,
+        max=math.radians(89.9),
+    )
+    rho: FloatProperty(
+        name="Rho",
+        description="The ratio condition of the medial axis: more prunes more",
+        default=8,
+        min=0,
+        soft_max=40,
+    )
+
+    def _applies(self, name: str) -> bool:
+        return self._filters(name) if name in ("theta", "rho") else super()._applies(name)
+
+    def _filters(self, name: str) -> bool:
+        """Whether this condition counts."""
+        raise NotImplementedError
+
+
 class Poles:
     """How a power crust chooses and labels its poles."""
 
@@ -149,6 +167,9 @@ class Poles:
         default="auto",
     )
 
+    def _applies(self, name: str) -> bool:
+        return self.omit != "nothing" if name == "lambda_" else super()._applies(name)
+
 
 class MEDAX_OT_power_crust(Poles, Base, bpy.types.Operator):
     """Make a closed surface of points"""
@@ -162,11 +183,8 @@ class MEDAX_OT_power_crust(Poles, Base, bpy.types.Operator):
     triangles: BoolProperty(name="Triangles", description="Cut the polygons into triangles", default=False)
     open: BoolProperty(name="Open Holes", description="Leave out the faces that close holes", default=False)
 
-    def _applies(self, name: str) -> bool:
-        return self.omit != "nothing" if name == "lambda_" else super()._applies(name)
 
-
-class MEDAX_OT_medial_axis(Inside, Base, bpy.types.Operator):
+class MEDAX_OT_medial_axis(Inside, Filter, Base, bpy.types.Operator):
     """Make the medial axis of a solid, with the distance to its surface as the attribute radius"""
 
     bl_idname = "medax.medial_axis"
@@ -174,8 +192,6 @@ class MEDAX_OT_medial_axis(Inside, Base, bpy.types.Operator):
     recipe = recipes.MedialAxis
     shown = ("theta", "rho", "rule", "object_angle", "side", "margin", "inside", "sample", "spacing", "hide")
 
-    theta: FloatProperty(description="The angle condition: more prunes more", **THETA)
-    rho: FloatProperty(description="The ratio condition: more prunes more", **RHO)
     rule: EnumProperty(
         name="Rule",
         description="Which conditions a facet must meet",
@@ -195,7 +211,15 @@ class MEDAX_OT_medial_axis(Inside, Base, bpy.types.Operator):
         min=0,
         max=math.pi,
     )
-    side: EnumProperty(name="Side", items=SIDES, default="inner")
+    side: EnumProperty(
+        name="Side",
+        items=(
+            ("inner", "Inner", "In the solid"),
+            ("outer", "Outer", "Outside of the solid"),
+            ("both", "Both", "On both sides"),
+        ),
+        default="inner",
+    )
     margin: FloatProperty(
         name="Margin",
         description="By which part of its diagonal the box of the sample is grown, to which the outer axis is clipped",
@@ -205,15 +229,13 @@ class MEDAX_OT_medial_axis(Inside, Base, bpy.types.Operator):
     )
 
     def _applies(self, name: str) -> bool:
-        if name == "margin":
-            return self.side != "inner"
-        if name in ("theta", "rho"):
-            wanted = {"theta": "angle", "rho": "ratio"}[name]
-            return self.rule in (wanted, "angle_or_ratio")
-        return super()._applies(name)
+        return self.side != "inner" if name == "margin" else super()._applies(name)
+
+    def _filters(self, name: str) -> bool:
+        return self.rule in ({"theta": "angle", "rho": "ratio"}[name], "angle_or_ratio")
 
 
-class MEDAX_OT_core(Inside, Base, bpy.types.Operator):
+class MEDAX_OT_core(Inside, Filter, Base, bpy.types.Operator):
     """Make the core of a solid: curves and sheets with its topology, and radii for a Skin modifier"""
 
     bl_idname = "medax.core"
@@ -225,16 +247,14 @@ class MEDAX_OT_core(Inside, Base, bpy.types.Operator):
         name="Repair", description="Add what the inner core needs to be connected as the solid is", default=True
     )
     extend: BoolProperty(name="Extend", description="Add the facets of the medial axis that pass", default=False)
-    theta: FloatProperty(description="The angle condition of the facets: more prunes more", **THETA)
-    rho: FloatProperty(description="The ratio condition of the facets: more prunes more", **RHO)
     skin: BoolProperty(
         name="Skin",
         description="Make a skeleton of edges with a Skin modifier; faces by which the core is extended stay apart",
         default=False,
     )
 
-    def _applies(self, name: str) -> bool:
-        return self.extend if name in ("theta", "rho") else super()._applies(name)
+    def _filters(self, name: str) -> bool:
+        return self.extend
 
 
 class MEDAX_OT_thickness(Poles, Base, bpy.types.Operator):
@@ -258,11 +278,8 @@ class MEDAX_OT_thickness(Poles, Base, bpy.types.Operator):
     most: length("Blue", "What is blue; 0: the largest, but for one in fifty")
     material: BoolProperty(name="Material", description="Show the colours by a material", default=True)
 
-    def _applies(self, name: str) -> bool:
-        return self.omit != "nothing" if name == "lambda_" else super()._applies(name)
 
-
-class MEDAX_OT_iso_surface(Inside, Base, bpy.types.Operator):
+class MEDAX_OT_iso_surface(Inside, Filter, Base, bpy.types.Operator):
     """Make a closed surface between an inner structure and the boundary of a solid, by its pair-mesh"""
 
     bl_idname = "medax.iso_surface"
@@ -283,11 +300,9 @@ class MEDAX_OT_iso_surface(Inside, Base, bpy.types.Operator):
         ),
         default="voronoi",
     )
-    theta: FloatProperty(description="The angle condition of the medial axis: more prunes more", **THETA)
-    rho: FloatProperty(description="The ratio condition of the medial axis: more prunes more", **RHO)
 
-    def _applies(self, name: str) -> bool:
-        return self.inner == "medial" if name in ("theta", "rho") else super()._applies(name)
+    def _filters(self, name: str) -> bool:
+        return self.inner == "medial"
 
 
 ALL = (MEDAX_OT_power_crust, MEDAX_OT_medial_axis, MEDAX_OT_core, MEDAX_OT_thickness, MEDAX_OT_iso_surface)

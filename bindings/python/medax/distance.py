@@ -6,7 +6,7 @@ from __future__ import annotations
 import ctypes
 import dataclasses
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple, Optional, TypedDict, Union
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Optional, TypedDict, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -346,15 +346,6 @@ if TYPE_CHECKING:
         """Options of a medial graph, and how to run it."""
 
 
-def _divided(struct: Any, names: Any, given: dict[str, Any]) -> tuple[Any, Any]:
-    """Options of which a dict has some, and what else it has."""
-    fields = {name: given.pop(name) for name in names.__annotations__ if name in given}
-    fields.update(clipped(fields.pop("clip", None)))
-    if fields.get("side") is not None:
-        fields["side"] = Side.of(fields["side"])
-    return options(struct, **fields), given
-
-
 class Claim(NamedTuple):
     """What may have been missed: the largest object angle where there is a claim, in radians, and the number of covers
     that make none."""
@@ -363,8 +354,26 @@ class Claim(NamedTuple):
     unclaimed: int
 
 
-class AxisPoints(Handle):
+class AxisPoints(Validated):
     """Points of the medial axis of sites, with what they were found by."""
+
+    _options: ClassVar[Any]
+
+    @classmethod
+    def _of(cls, sites: Sites, given: dict[str, Any], pairs: Optional[ArrayLike] = None) -> Any:
+        """What is built by some of the options and by settings of a job, of all sites or of pairs of them."""
+        fields = {name: given.pop(name) for name in cls._options.__annotations__ if name in given}
+        fields.update(clipped(fields.pop("clip", None)))
+        if fields.get("side") is not None:
+            fields["side"] = Side.of(fields["side"])
+        struct = options(getattr(_ffi, cls._stem + "_options"), **fields)
+        inputs: tuple[Any, ...] = (ref(sites, Sites, "sites"),)
+        if pairs is not None:
+            rows = indices(pairs, "pairs", 2)
+            inputs += pointer(rows), len(rows)
+        function = getattr(lib, f"{cls._stem}_{'build' if pairs is None else 'between'}")
+        how: Any = given
+        return build(cls, how, function, *inputs, ctypes.byref(struct))
 
     @property
     def sites(self) -> Sites:
@@ -402,24 +411,21 @@ class AxisPoints(Handle):
         return self._view("sites_of_points", 2)
 
 
-class FieldAxis(AxisPoints, Validated, stem="field_axis"):
+class FieldAxis(AxisPoints, stem="field_axis"):
     """Points of the medial axis of sites, and where they were looked for."""
+
+    _options = FieldAxisOptions
 
     @classmethod
     def of(cls, sites: Sites, **options: Unpack[FieldAxisAndHow]) -> FieldAxis:
         """Points of the medial axis, by `FieldAxisOptions`."""
-        given, how = _divided(_ffi.medax_field_axis_options, FieldAxisOptions, dict(options))
-        owner = ref(sites, Sites, "sites")
-        made: FieldAxis = build(cls, how, lib.medax_field_axis_build, owner, ctypes.byref(given))
+        made: FieldAxis = cls._of(sites, dict(options))
         return made
 
     @classmethod
     def between(cls, sites: Sites, pairs: ArrayLike, **options: Unpack[FieldAxisAndHow]) -> FieldAxis:
         """Only what has its nearest points on one of some pairs of sites, (k, 2)."""
-        given, how = _divided(_ffi.medax_field_axis_options, FieldAxisOptions, dict(options))
-        owner, rows = ref(sites, Sites, "sites"), indices(pairs, "pairs", 2)
-        inputs = owner, pointer(rows), len(rows), ctypes.byref(given)
-        made: FieldAxis = build(cls, how, lib.medax_field_axis_between, *inputs)
+        made: FieldAxis = cls._of(sites, dict(options), pairs)
         return made
 
     @property
@@ -470,24 +476,21 @@ class FieldAxis(AxisPoints, Validated, stem="field_axis"):
         return f": {len(self.points)} points"
 
 
-class MedialGraph(AxisPoints, Validated, stem="medial_graph"):
+class MedialGraph(AxisPoints, stem="medial_graph"):
     """The medial axis of sites in the plane as a graph: nodes, where arcs meet or end, and arcs."""
+
+    _options = MedialGraphOptions
 
     @classmethod
     def of(cls, sites: Sites, **options: Unpack[MedialGraphAndHow]) -> MedialGraph:
         """The graph, by `MedialGraphOptions`."""
-        given, how = _divided(_ffi.medax_medial_graph_options, MedialGraphOptions, dict(options))
-        owner = ref(sites, Sites, "sites")
-        made: MedialGraph = build(cls, how, lib.medax_medial_graph_build, owner, ctypes.byref(given))
+        made: MedialGraph = cls._of(sites, dict(options))
         return made
 
     @classmethod
     def between(cls, sites: Sites, pairs: ArrayLike, **options: Unpack[MedialGraphAndHow]) -> MedialGraph:
         """Only what has its nearest points on one of some pairs of sites, (k, 2)."""
-        given, how = _divided(_ffi.medax_medial_graph_options, MedialGraphOptions, dict(options))
-        owner, rows = ref(sites, Sites, "sites"), indices(pairs, "pairs", 2)
-        inputs = owner, pointer(rows), len(rows), ctypes.byref(given)
-        made: MedialGraph = build(cls, how, lib.medax_medial_graph_between, *inputs)
+        made: MedialGraph = cls._of(sites, dict(options), pairs)
         return made
 
     @property
