@@ -50,15 +50,18 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* The version of this header; medax_version() is that of the library. */
+/** The first number of this header's version: another one is another ABI. */
 #define MEDAX_VERSION_MAJOR 0
+/** The second number: while the first one is 0, another one is another ABI, too. */
 #define MEDAX_VERSION_MINOR 1
+/** The third number: the ABI stays. */
 #define MEDAX_VERSION_PATCH 0
+/** The version of this header as #medax_version tells that of the library. */
 #define MEDAX_VERSION \
     ((uint32_t)MEDAX_VERSION_MAJOR << 22 | (uint32_t)MEDAX_VERSION_MINOR << 12 | \
      (uint32_t)MEDAX_VERSION_PATCH)
 
-/* "No such element": the only sentinel in any index array. */
+/** "No such element": the only sentinel in any index array. */
 #define MEDAX_NONE UINT32_MAX
 
 /* Define MEDAX_STATIC to link the static library on Windows. */

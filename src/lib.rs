@@ -14,6 +14,7 @@
 //!
 //! The C ABI in [`capi`] translates and does nothing else; see `include/medax.h`.
 
+mod boxes;
 pub mod capi;
 pub mod cocone;
 pub mod complex;
@@ -53,3 +54,8 @@ pub use points::Points;
 pub use poles::Poles;
 pub use triangulation::Triangulation;
 pub use validation::Validation;
+
+/// The program of the manual's page, compiled with the examples of the documentation.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/hosts/rust.md")]
+struct ManualPage;

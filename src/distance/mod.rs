@@ -4,7 +4,6 @@
 mod arcs;
 mod balls;
 mod bound;
-mod boxes;
 mod closest;
 mod crossing;
 mod decide;

@@ -1,8 +1,8 @@
 //! Pieces in a hierarchy of boxes.
 
-use super::boxes::{Boxes, Item};
 use super::closest::Shape;
 use super::piece::{Foot, Piece};
+use crate::boxes::{Boxes, Item};
 use crate::error::Result;
 use crate::job::{Room, Run};
 use crate::points::Bounds;

@@ -23,6 +23,7 @@ mod nearest;
 mod order;
 mod parallel;
 mod partition;
+mod power_tree;
 mod star;
 mod validate;
 mod walk;
@@ -32,6 +33,7 @@ pub use cells::CELL_LIMIT;
 pub(crate) use incidence::Turn;
 pub use incidence::{Edges, Incidence};
 pub(crate) use nearest::Descent;
+pub(crate) use power_tree::PowerTree;
 
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::index::NONE;

@@ -22,27 +22,31 @@ impl<'a> Descent<'a> {
     /// The vertex of least power at a point, of several the least, beginning at another one that is not hidden: where none of its
     /// neighbours has less no vertex has, since the cells of the diagram are convex. Powers are compared exactly. Cost: O(way).
     pub fn nearest(&self, at: [f64; 3], from: u32) -> u32 {
-        let t = self.triangulation;
         let mut here = from;
-        loop {
-            let mut next = here;
-            for &cell in self.incidence.cells_of(here) {
-                for vertex in t.cells()[cell as usize] {
-                    if vertex == next {
-                        continue;
-                    }
-                    match power_order(at, t.site(vertex), t.site(next)) {
-                        Ordering::Less => next = vertex,
-                        Ordering::Equal => next = next.min(vertex),
-                        Ordering::Greater => {}
-                    }
-                }
-            }
-            if next == here {
-                return here;
-            }
+        while let Some(next) = self.nearer(at, here) {
             here = next;
         }
+        here
+    }
+
+    /// Of the neighbours of a vertex the one of least power at a point, if that is less than the vertex's own, or as much and it
+    /// comes before it. If there is none, no vertex of the triangulation is nearer. Cost: that of looking at all of them.
+    pub fn nearer(&self, at: [f64; 3], than: u32) -> Option<u32> {
+        let t = self.triangulation;
+        let mut next = than;
+        for &cell in self.incidence.cells_of(than) {
+            for vertex in t.cells()[cell as usize] {
+                if vertex == next {
+                    continue;
+                }
+                match power_order(at, t.site(vertex), t.site(next)) {
+                    Ordering::Less => next = vertex,
+                    Ordering::Equal => next = next.min(vertex),
+                    Ordering::Greater => {}
+                }
+            }
+        }
+        (next != than).then_some(next)
     }
 
     /// Whether one vertex has no more power at a point than another: exact.
@@ -53,7 +57,7 @@ impl<'a> Descent<'a> {
 }
 
 /// The order of the powers of a point to two balls, given as centres and weights.
-fn power_order(at: [f64; 3], p: [f64; 4], q: [f64; 4]) -> Ordering {
+pub(super) fn power_order(at: [f64; 3], p: [f64; 4], q: [f64; 4]) -> Ordering {
     let power = |[x, y, z, weight]: [f64; 4]| {
         let to = sub([x, y, z], at);
         let square = dot(to, to);

@@ -1,6 +1,8 @@
 //! Labelled triangulations: by a mesh, by a power crust and by hand.
 
 use crate::medial::{dual_of, labels_of, samples, torus_mesh};
+use crate::sets::Random;
+use medax::crust::Label;
 use medax::sample::Shape;
 use medax::{Complex, ElementKind, Job, Labels, PowerCrust, Status};
 use std::sync::Arc;
@@ -61,6 +63,43 @@ fn a_mesh_a_crust_and_the_shape_agree_on_a_dense_torus() {
         }
     }
     assert!(8 * deep > cells, "{deep}");
+}
+
+/// Unevenly, so that some poles have very many neighbours.
+#[test]
+fn a_crust_labels_a_cell_by_the_pole_of_least_power() {
+    let job = Job::default();
+    let mut random = Random(7);
+    let torus = |[a, b]: [f64; 2]| {
+        let ring = 1.0 + 0.4 * b.cos();
+        [ring * a.cos(), ring * a.sin(), 0.4 * b.sin()]
+    };
+    let rows: Vec<_> =
+        (0..1500).map(|_| torus([0; 2].map(|_| std::f64::consts::TAU * random.unit()))).collect();
+    let dual = dual_of(&rows, &job);
+    let points = dual.triangulation().points();
+    let crust = PowerCrust::build(points, Default::default(), &job).unwrap();
+    let labels = Labels::of_crust(&dual, &crust, &job).unwrap();
+    let regular = crust.regular();
+    let mut decided = [0, 0];
+    for (at, &is_inner) in dual.centers().iter().zip(labels.is_inner()) {
+        let mut least = [f64::INFINITY; 2];
+        for vertex in 0..regular.coords().len() as u32 {
+            let pole = regular.row_of_vertex()[vertex as usize] as usize;
+            let side = usize::from(crust.labels()[pole] == Label::Inner);
+            let [x, y, z, weight] = regular.site(vertex);
+            let square: f64 = [x, y, z].iter().zip(at).map(|(p, q)| (p - q) * (p - q)).sum();
+            least[side] = least[side].min(square - weight);
+        }
+        // Rounded powers tell no more.
+        let size: f64 = 10.0 + at.iter().map(|x| x * x).sum::<f64>();
+        if (least[0] - least[1]).abs() > 1e-14 * size {
+            assert_eq!(is_inner, least[1] < least[0], "{at:?}");
+            decided[usize::from(is_inner)] += 1;
+        }
+    }
+    assert!(decided[0] > 5000 && decided[1] > 5000, "{decided:?}");
+    assert!(decided[0] + decided[1] > labels.is_inner().len() * 99 / 100, "{decided:?}");
 }
 
 #[test]

@@ -26,6 +26,14 @@ def million_points(million):
     return medax.Points(million)
 
 
+@pytest.fixture(autouse=True)
+def ctrl_c():
+    """Whoever runs tests in the background of a shell has them ignore Ctrl-C."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
 def quickest(attempt, tries=4):
     """The least of some measured times: other programs may have the processors meanwhile."""
     taken = []

@@ -1,6 +1,6 @@
 //! Balls in a hierarchy of boxes round their centres.
 
-use crate::distance::boxes::{Boxes, Four, Item, Node};
+use crate::boxes::{Boxes, Four, Item, Node};
 use crate::error::Result;
 use crate::job::{Room, Run};
 use crate::points::Bounds;

@@ -14,11 +14,11 @@ const DEPTH: usize = 3 * 20 + 4;
 const LEAF: u32 = 1 << 31;
 
 /// A number for each child of a node.
-pub(super) type Four = [f64; WIDE];
+pub(crate) type Four = [f64; WIDE];
 
 /// The boxes of four children, coordinate by coordinate, so that they are compared at once.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Node<T> {
+pub(crate) struct Node<T> {
     pub min: [Four; 3],
     pub max: [Four; 3],
     /// What else is known of each child.
@@ -30,7 +30,7 @@ pub(super) struct Node<T> {
 }
 
 /// An item in the making of a hierarchy.
-pub(super) struct Item {
+pub(crate) struct Item {
     pub middle: Vec3,
     pub number: u32,
 }
@@ -39,7 +39,7 @@ pub(super) struct Item {
 ///
 /// Invariants: children come after their parent, and a child's box holds the boxes under it; a child that is not there has a box that is infinitely far away.
 #[derive(Clone, Debug)]
-pub(super) struct Boxes<T> {
+pub(crate) struct Boxes<T> {
     nodes: Vec<Node<T>>,
 }
 
