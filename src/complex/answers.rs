@@ -22,6 +22,18 @@ pub(crate) fn answers<T: Clone + Default + Send>(
     run: &Run<'_>,
     answer: impl Fn(Point) -> T + Sync,
 ) -> Result<Vec<T>> {
+    try_answers(queries, kind, span, room, run, |query| Ok(answer(query)))
+}
+
+/// [`answers`] where a query may have none for an error.
+pub(crate) fn try_answers<T: Clone + Default + Send>(
+    queries: &[Point],
+    kind: ElementKind,
+    span: [f64; 2],
+    room: &mut Room<'_>,
+    run: &Run<'_>,
+    answer: impl Fn(Point) -> Result<T> + Sync,
+) -> Result<Vec<T>> {
     let mut found = room.filled(queries.len(), T::default())?;
     let parts = queries.chunks(QUERIES).zip(found.chunks_mut(QUERIES)).enumerate().collect();
     run.in_steps(parts, span, |(part, (queries, found))| {
@@ -31,7 +43,7 @@ pub(crate) fn answers<T: Clone + Default + Send>(
             }
             let at = |error: Error| error.at(kind, (QUERIES * part + place) as u64);
             check(query).map_err(at)?;
-            *found = answer(query);
+            *found = answer(query)?;
         }
         Ok(())
     })?;

@@ -21,7 +21,7 @@ mod triangulated;
 mod validate;
 mod winding;
 
-pub(crate) use answers::answers;
+pub(crate) use answers::{answers, try_answers};
 pub use attribute::{Attribute, Element, Values};
 pub use compare::{CompareOptions, Comparison, Distances, compare};
 pub use decimate::DecimateOptions;

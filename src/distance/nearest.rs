@@ -2,9 +2,10 @@
 
 use super::piece::Foot;
 use super::sites::{Nearest, Sites};
-use crate::complex::answers;
+use crate::complex::{answers, try_answers};
 use crate::error::{ElementKind, Error, Result, Status};
 use crate::job::{Job, Room, Run, Stage};
+use std::sync::{Mutex, PoisonError};
 
 /// All nearest points of the boundary, for each of many points.
 ///
@@ -62,12 +63,16 @@ impl Sites {
             return Err(Error::new(Status::InvalidArgument, message));
         }
         let mut room = Room::new(run);
-        let found = answers(points, ElementKind::Row, [0.0, 0.9], &mut room, run, |p| {
+        let counted = Mutex::new(Room::new(run));
+        let found = try_answers(points, ElementKind::Row, [0.0, 0.9], &mut room, run, |p| {
             let mut feet: Vec<Foot> = Vec::new();
             // The square of a rounded root may be less than what it is the root of.
             let distance = self.foot(p).distance_squared.sqrt().next_up() + tolerance;
             self.feet_within(p, distance, &mut feet);
-            feet.iter().map(|foot| foot.seen_from(p)).collect::<Vec<_>>()
+            // Nothing panics while it is locked.
+            let mut counted = counted.lock().unwrap_or_else(PoisonError::into_inner);
+            counted.keep(feet.len() * size_of::<Nearest>())?;
+            Ok(feet.iter().map(|foot| foot.seen_from(p)).collect::<Vec<_>>())
         })?;
         let mut all = AllNearest { offsets: room.vec(points.len() + 1)?, feet: Vec::new() };
         all.offsets.push(0);

@@ -20,7 +20,7 @@ const REFINED: u32 = 4;
 /// The most squares at once.
 const LIMIT: usize = 1 << 28;
 /// The least density, beside the box.
-const FINEST: f64 = 1.0 / (1 << 20) as f64;
+pub(super) const FINEST: f64 = 1.0 / (1 << 20) as f64;
 
 /// A square that is still to be looked at.
 #[derive(Clone, Copy, Debug)]

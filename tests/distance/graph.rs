@@ -167,3 +167,29 @@ fn a_build_reports_progress_and_stops() {
     assert_eq!(stopped.status(), Status::Cancelled);
     assert!(job.progress() < 1.0);
 }
+
+#[test]
+fn memory_is_counted_while_arcs_are_followed() {
+    let sites = closed(rings(&[rectangle(4.0, 2.0)]));
+    let job = Job::default();
+    let options = GraphOptions { spacing: 1e-4, ..Default::default() };
+    let graph = MedialGraph::new(&sites, options, &job).unwrap();
+    // The points of the lines, and those of the graph.
+    let least = 2 * size_of_val(graph.points()) as u64;
+    assert!(job.memory_peak() > least, "{} of {least}", job.memory_peak());
+    let tight = Job::new(JobOptions { memory_ceiling: least / 2, ..Default::default() });
+    let error = MedialGraph::new(&sites, options, &tight).unwrap_err();
+    assert_eq!(error.status(), Status::OutOfMemory);
+}
+
+#[test]
+fn a_spacing_without_end_is_refused() {
+    let sites = closed(rings(&[rectangle(4.0, 2.0)]));
+    let with = |spacing| GraphOptions { spacing, ..Default::default() };
+    let clipped = GraphOptions { clip: Some([[0.0; 3], [1e9, 1.0, 0.0]]), ..with(1e-2) };
+    for options in [with(3.8e-6), with(f64::MIN_POSITIVE), clipped] {
+        let error = MedialGraph::new(&sites, options, &Job::default()).unwrap_err();
+        assert_eq!(error.status(), Status::LimitExceeded);
+        assert_eq!(error.to_string(), "the spacing is less than 2^-20 of the box");
+    }
+}

@@ -1,8 +1,8 @@
 //! Nearest points against formulas of their own.
 
 use crate::shapes::{Point, Random, closed, distance, dot, open, rectangle, rings, star, sub};
-use medax::distance::{Piece, Sites};
-use medax::{ElementKind, Job, Status};
+use medax::distance::{Nearest, Piece, Sites};
+use medax::{ElementKind, Job, JobOptions, Status};
 
 /// The distance to the hull of some corners by trying all their subsets: of the nearest points of the flats through them that lie within, the nearest one (an active-set method written out).
 fn to_hull(p: Point, corners: &[Point]) -> f64 {
@@ -135,6 +135,21 @@ fn all_nearest_points_are_found_within_a_tolerance() {
     assert_eq!([pieces(0), pieces(1), pieces(2)], [vec![0, 2, 3], vec![0, 2], vec![0]]);
     let wide = sites.all_nearest(&points[2..], 0.25, &Job::default()).unwrap();
     assert_eq!(wide.of(0).len(), 2);
+}
+
+#[test]
+fn memory_is_counted_while_all_nearest_are_found() {
+    let mut random = Random(3);
+    let pieces: Vec<Piece> = (0..500).map(|i| random_piece(&mut random, i % 4)).collect();
+    let sites = open(3, pieces);
+    let points = vec![[0.5; 3]; 100];
+    let job = Job::default();
+    sites.all_nearest(&points, f64::INFINITY, &job).unwrap();
+    let least = 2 * (100 * 500 * size_of::<Nearest>()) as u64;
+    assert!(job.memory_peak() > least, "{} of {least}", job.memory_peak());
+    let tight = Job::new(JobOptions { memory_ceiling: least / 4, ..Default::default() });
+    let error = sites.all_nearest(&points, f64::INFINITY, &tight).unwrap_err();
+    assert_eq!(error.status(), Status::OutOfMemory);
 }
 
 #[test]

@@ -16,7 +16,7 @@ from . import _ffi, view
 from ._ffi import CellType, Element, ValueType
 from ._library import lib
 from .error import ArgumentError, check
-from .handle import Handle, options, path_of, ref, report_of, told
+from .handle import Handle, options, path_of, ref, report_of, text_of, told
 from .io import Warnings
 from .job import How, Validated, build, run
 from .points import Path
@@ -74,7 +74,7 @@ class Attributed(Handle):
         """The attribute of this name, which must be there."""
         reference, found = self._ref, _ffi.medax_attribute()
         look = getattr(lib, self._stem + "_attribute")
-        check(look(reference, Element.of(element), name.encode(), ctypes.byref(found)))
+        check(look(reference, Element.of(element), text_of(name, "name"), ctypes.byref(found)))
         return Attribute._of(reference, found)
 
     def values(self, name: str, element: Union[Element, str] = Element.VERTEX) -> NDArray[Any]:
@@ -435,7 +435,7 @@ def _parts_of(attributes: Optional[AttributesLike]) -> tuple[Any, list[Any]]:
         else:
             array = floats(real(array, name), name, cols)
             part.value_type, target = ValueType.F64, part.f64_values
-        text = name.encode()
+        text = text_of(name, "the name of an attribute")
         kept += [array, text]
         part.name, part.element = text, Element.of(element)
         target.data, target.rows, target.cols = pointer(array), len(array), cols

@@ -184,7 +184,8 @@ class PowerCrust(Validated, stem="power_crust"):
         return Complex._take(slots[0]), Complex._take(slots[1])
 
     def sizes_at(self, queries: ArrayLike, **how: Unpack[How]) -> Sizes:
-        """The local feature size and the thickness at each of some points (q, 3). NaN where there is none."""
+        """The local feature size and the thickness at each of some points (q, 3). The thickness is 0 if no sample has
+        an inner ball."""
         xyz = floats(queries, "queries")
         sizes = Sizes(np.empty(len(xyz)), np.empty(len(xyz)))
         reference, call = self._ref, lib.medax_power_crust_sizes_at

@@ -15,7 +15,7 @@ from . import _ffi
 from ._ffi import Crossings
 from ._library import lib
 from .error import ArgumentError, check
-from .handle import options, path_of, report_of, told
+from .handle import options, path_of, report_of, text_of, told
 from .job import How, Validated, build
 from .points import Path
 from .view import Floats, Indices, Rows, floats, pointer
@@ -61,8 +61,9 @@ class Figure(Validated, stem="figure"):
         crossings: Union[Crossings, str, None] = None,
         **how: Unpack[How],
     ) -> None:
+        polygons = [list(polygon) for polygon in polygons]
         for number, polygon in enumerate(polygons):
-            if np.ndim(polygon[0]) != 2:
+            if not polygon or np.ndim(polygon[0]) != 2:
                 raise ArgumentError(f"polygons[{number}] must be a list of rings of shape (k, 2)")
         ring_vertices, ring_offsets = _chained((ring for polygon in polygons for ring in polygon), "rings")
         polygon_offsets = np.cumsum([0, *map(len, polygons)]).astype(np.uint32)
@@ -106,7 +107,7 @@ class Figure(Validated, stem="figure"):
         """
         given = options(
             _ffi.medax_figure_read_options,
-            feature_name=None if feature_name is None else feature_name.encode(),
+            feature_name=None if feature_name is None else text_of(feature_name, "feature_name"),
             feature_number=feature_number,
             crossings=None if crossings is None else Crossings.of(crossings),
         )

@@ -7,6 +7,7 @@ import ctypes
 import dataclasses
 import operator
 import os
+from collections.abc import Sequence
 from typing import Any, Callable, ClassVar, Optional, TypeVar, Union
 
 import numpy as np
@@ -150,6 +151,15 @@ def path_of(value: Union[str, bytes, os.PathLike[Any]]) -> bytes:
     return path
 
 
+def text_of(value: Any, name: str) -> bytes:
+    """A text as the library takes it."""
+    if not isinstance(value, str):
+        raise ArgumentError(f"{name} must be text, not {value!r}")
+    if "\0" in value:
+        raise ArgumentError(f"{name} cannot hold a NUL: {value!r}")
+    return value.encode()
+
+
 _UNSIGNED = {_ffi.u32: 32, _ffi.u64: 64, _ffi.usize: 8 * ctypes.sizeof(ctypes.c_size_t)}
 
 
@@ -200,7 +210,8 @@ def clipped(clip: Any) -> dict[str, Any]:
     """The options of a box, which is given as its least corner and its largest."""
     if clip is None:
         return {}
-    if len(clip) != 2:
+    is_pair = isinstance(clip, (Sequence, np.ndarray)) and len(clip) == 2
+    if not is_pair or any(corner is None for corner in clip):
         raise ArgumentError("clip must be two corners of a box, the least and the largest")
     return {"clip_min": clip[0], "clip_max": clip[1], "has_clip": 1}
 

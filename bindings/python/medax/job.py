@@ -15,6 +15,8 @@ import sys
 import threading
 from typing import TYPE_CHECKING, Any, Callable, Optional, TypedDict
 
+import numpy as np
+
 from . import _ffi
 from ._library import lib
 from ._ffi import ErrorKind, Status
@@ -176,7 +178,8 @@ def run(how: How, call: Callable[[Any], int]) -> None:
         # What counts is the outcome: an interrupt may come between the end of a wait and the look at it.
         while not outcome:
             if not done.acquire(timeout=INTERVAL) and progress is not None:
-                if progress(job.progress, job.stage) is False:
+                said = progress(job.progress, job.stage)
+                if isinstance(said, (bool, np.bool_)) and not said:
                     job.cancel()
         if outcome[0] is None and progress is not None:
             progress(1.0, job.stage)

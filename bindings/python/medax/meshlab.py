@@ -184,7 +184,7 @@ def thickness(
     **options: Unpack[CrustAndHow],
 ) -> list[int]:
     """Layer "Thickness": the mesh again, with the thickness of the solid at each vertex as its scalar, the diameter of
-    the inner ball that touches the surface there; NaN where there is none.
+    the inner ball that touches the surface there; 0 if no sample has one.
 
     - `size`: "thickness", or "feature_size", the distance to the medial axis; then the layer is "Feature Size". Both
       are custom attributes.

@@ -38,7 +38,8 @@ class Poles(Validated, stem="poles"):
     ) -> Poles:
         """The poles of a sample from its Voronoi diagram. `omit` ("nothing", "side", "both") says what is left out
         where Voronoi cells are not long and thin for the spacing `lambda_`, in [0, pi/4), 0 to estimate it."""
-        given = options(_ffi.medax_poles_options, **{"lambda": lambda_, "omit": omit and Omit.of(omit)})
+        left_out = None if omit is None else Omit.of(omit)
+        given = options(_ffi.medax_poles_options, **{"lambda": lambda_, "omit": left_out})
         made: Poles = build(cls, how, lib.medax_poles_build, ref(dual, Dual, "dual"), ctypes.byref(given))
         return made
 
@@ -53,7 +54,8 @@ class Poles(Validated, stem="poles"):
     ) -> Poles:
         """The poles of a sample with the far box: those from which a power crust is made. `omit` and `lambda_` as
         for `of`: "nothing", and 0 to estimate it."""
-        given = options(_ffi.medax_poles_options, **{"lambda": lambda_, "omit": omit and Omit.of(omit)})
+        left_out = None if omit is None else Omit.of(omit)
+        given = options(_ffi.medax_poles_options, **{"lambda": lambda_, "omit": left_out})
         owner = ref(points, Points, "points")
         made: Poles = build(cls, how, lib.medax_poles_build_with_far_box, owner, ctypes.byref(given))
         return made

@@ -206,7 +206,8 @@ def vector(value: ArrayLike, name: str, length: int = 3) -> Floats:
 def rows(value: RowsLike, name: str) -> Rows:
     """Rows of varying length: `Rows`, a tuple of offsets and indices, an array with a row each, or lists."""
     if isinstance(value, Rows):
-        return value
+        # The library's own are none, empty, where there is no row.
+        value = (np.asarray(value.offsets if len(value.offsets) else [0]), np.asarray(value.indices))
     if isinstance(value, tuple) and len(value) == 2 and all(isinstance(part, np.ndarray) for part in value):
         offsets, inside = indices(value[0], f"{name} (offsets)"), indices(value[1], f"{name} (indices)")
         falls = (np.diff(offsets.astype(np.int64)) < 0).any()
@@ -222,14 +223,15 @@ def rows(value: RowsLike, name: str) -> Rows:
     try:
         lists = [np.asarray(row) for row in value]  # type: ignore[union-attr]
         ends = np.cumsum([0, *(len(row) for row in lists)])
-    except TypeError:
+    except (TypeError, ValueError):
         raise ArgumentError(f"{name} must be rows of indices") from None
     if ends[-1] > NONE:
         raise ArgumentError(f"{name}: more than 2**32 - 1 indices")
     for number, row in enumerate(lists):
         if row.size and (row.ndim != 1 or row.dtype.kind not in "iu"):
             raise ArgumentError(f"{name}: row {number} must be integers, not {row.tolist()}", number, ErrorKind.ROW)
-    inside = np.concatenate(lists) if ends[-1] else np.empty(0, np.uint32)
+    # Types that are mixed have floats in common, and so have empty rows.
+    inside = np.concatenate(lists, dtype=np.int64, casting="unsafe") if ends[-1] else np.empty(0, np.uint32)
     return Rows(ends.astype(np.uint32), indices(inside, name))
 
 

@@ -150,6 +150,52 @@ def test_faces_in_every_form():
     assert (caught.value.kind, caught.value.index) == (medax.ErrorKind.FACE, 1)
 
 
+@pytest.mark.parametrize(
+    "offsets, inside",
+    [
+        (np.array([0, 3, 200_000_000], np.uint32), np.array([0, 1, 2], np.uint32)),
+        (np.array([0, 3, 4_000_000_000], np.uint32), np.array([0, 1, 2], np.uint32)),
+        (np.array([1, 3], np.uint32), np.array([0, 1, 2], np.uint32)),
+        (np.array([0, 3, 0, 3], np.uint32), np.array([0, 1, 2], np.uint32)),
+        ([0, 3], [1 << 32, 2, 3]),
+        ([0, 3], [0.0, 1.0, 2.0]),
+        ([], [0, 1, 2]),
+    ],
+)
+def test_rows_that_are_none(offsets, inside):
+    with pytest.raises(medax.ArgumentError, match="faces"):
+        medax.Complex(XYZ, medax.Rows(offsets, inside))
+
+
+@pytest.mark.parametrize("kind", [list, np.int64, np.uint8, ">u4"])
+def test_rows_of_a_caller_are_converted(kind):
+    made = [[0, 3, 7], [0, 1, 2, 3, 2, 1, 0]]
+    if kind is not list:
+        made = [np.array(part, kind) for part in made]
+        # Every second one of twice as many.
+        made = [np.repeat(part, 2)[::2] for part in made]
+    assert medax.Complex(XYZ, medax.Rows(*made)).faces.to_list() == [[0, 1, 2], [3, 2, 1, 0]]
+    assert len(medax.Complex(XYZ, medax.Complex(XYZ).faces).faces) == 0
+
+
+def test_rows_of_mixed_types_and_ragged_ones():
+    faces = [np.array([0, 1, 2], np.uint64), np.array([2, 1, 3], np.int64)]
+    assert medax.Complex(XYZ, faces).faces.to_list() == [[0, 1, 2], [2, 1, 3]]
+    # What is wrong with an empty row is that it is no face.
+    for wrong, says in (([[0, 1, 2], []], "vertices"), ([[0, 1, [2]]], "rows of indices"), ([[0, 1, -1]], "faces")):
+        with pytest.raises(medax.MedaxError, match=says):
+            medax.Complex(XYZ, wrong)
+
+
+@pytest.mark.parametrize("wrong", ["radius\0more", 3, None, b"radius"])
+def test_names_that_are_none(wrong):
+    solid = medax.Complex(XYZ, attributes={"vertex": {"radius": [1.0] * 5}})
+    with pytest.raises(medax.ArgumentError, match="name"):
+        solid.values(wrong)
+    with pytest.raises(medax.ArgumentError, match="name"):
+        medax.Complex(XYZ, attributes={"vertex": {wrong: [1.0] * 5}})
+
+
 def test_rows_are_a_sequence():
     rows = medax.Complex(XYZ, [[0, 1, 2], [0, 2, 3, 4]]).faces
     assert len(rows) == 2 and rows[-1].tolist() == [0, 2, 3, 4] and rows.lengths.tolist() == [3, 4]

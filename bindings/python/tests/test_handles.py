@@ -132,6 +132,8 @@ def test_poles(torus):
     assert poles.feature_size([[1, 0, 0]])[0] < 0.1
     assert np.array_equal(poles.complex().values("radius"), poles.balls[:, 3])
     assert np.array_equal(poles.samples_complex().values("normal"), poles.normals)
+    with pytest.raises(medax.ArgumentError, match="Omit"):
+        medax.Poles.with_far_box(torus.points, omit=medax.Side.OUTER)
     few = medax.Poles.with_far_box(torus.points, omit="both", lambda_=0.4)
     assert len(few.balls) < len(poles.balls) and few.lambda_ == 0.4
     assert few.validate().is_valid

@@ -118,6 +118,15 @@ def test_the_hook_stops_a_million_points(million_points, how, least):
     assert taken < LIMIT
 
 
+def test_false_of_numpy_stops_and_nothing_else_does(million_points):
+    with pytest.raises(medax.MedaxError):
+        medax.Triangulation.delaunay(million_points, progress=lambda fraction, stage: np.bool_(False))
+    for other in (0, None, np.bool_(True), ""):
+        medax.Triangulation.delaunay(
+            medax.Points(million_points.coords[:100_000]), progress=lambda fraction, stage, other=other: other
+        )
+
+
 @pytest.mark.parametrize("where", ["main", "other"])
 def test_a_job_is_cancelled_from_another_thread(million_points, where):
     def attempt():

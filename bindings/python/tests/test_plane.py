@@ -34,6 +34,22 @@ def test_figure():
             medax.Figure(wrong)
 
 
+def test_figures_of_generators_and_of_nothing():
+    square = [(0, 0), (2, 0), (2, 2), (0, 2)]
+    figure = medax.Figure(([ring] for ring in [square]), (line for line in [[(5, 5), (6, 6)]]))
+    assert len(figure.vertices) == 6
+    for wrong in ([[]], [square], [3]):
+        with pytest.raises((medax.ArgumentError, TypeError), match="polygons|iterable"):
+            medax.Figure(wrong)
+
+
+def test_a_clip_that_is_no_box():
+    sites = medax.Sites.of(medax.Figure([[[(0, 0), (2, 0), (2, 2)]]]))
+    for wrong in (5, [1, 2, 3], "ab", [[0, 0], [1, 1]], [[0, 0, 0], None]):
+        with pytest.raises(medax.ArgumentError, match="clip"):
+            medax.MedialGraph.of(sites, clip=wrong)
+
+
 def test_figure_of_a_file(tmp_path):
     feature = {
         "type": "Feature",

@@ -8,6 +8,7 @@ use crate::complex::{Attribute, Complex, ComplexParts, Element, Values};
 use crate::distance::decide::DecideOptions;
 use crate::distance::locate::{MedialPoint, Search};
 use crate::distance::pairs::SitePairs;
+use crate::distance::plane::FINEST;
 use crate::distance::sites::Sites;
 use crate::error::{Error, Result, Status};
 use crate::index::NONE;
@@ -72,7 +73,7 @@ pub struct MedialGraph {
 impl MedialGraph {
     /// Follows the axis of segments, points and circles in the plane. Segments must meet in common ends only, and touch no circle: those of a [`Figure`](crate::figure::Figure) do. Points may lie anywhere.
     ///
-    /// Errors: [`Status::InvalidArgument`] in space and for options out of range; [`Status::Unsupported`] with its row for a line or a ray; those of the job. Cost: O((n + size) log n).
+    /// Errors: [`Status::InvalidArgument`] in space and for options out of range; [`Status::LimitExceeded`] for a spacing of less than 2^-20 of the box; [`Status::Unsupported`] with its row for a line or a ray; those of the job. Cost: O((n + size) log n).
     pub fn new(sites: &Arc<Sites>, options: GraphOptions, job: &Job) -> Result<Self> {
         job.run(&[(Stage::Field, 1.0)], |run| MedialGraph::new_in(sites, options, run))
     }
@@ -132,10 +133,15 @@ impl MedialGraph {
             chosen.into_iter().filter(is_first).map(|(_, side)| side).collect();
         let lines = run.in_steps(chosen.chunks(16).collect(), [0.5, 1.0], |sides| {
             run.poll()?;
-            let lines: Result<Vec<_>> = sides.iter().map(|side| maker.lines(side)).collect();
-            lines.map(|lines| lines.concat())
+            let mut room = Room::new(run);
+            let lines: Result<Vec<_>> =
+                sides.iter().map(|side| maker.lines(side, &mut room)).collect();
+            lines.map(|lines| (lines, room))
         })?;
-        let mut graph = maker.join(lines.into_iter().flatten(), torn, &mut room, run)?;
+        // What the lines take stays counted until they are joined.
+        let (lines, _rooms): (Vec<_>, Vec<_>) = lines.into_iter().unzip();
+        let lines = lines.into_iter().flatten().flatten();
+        let mut graph = maker.join(lines, torn, &mut room, run)?;
         graph.points.iter_mut().for_each(|point| *point = frame.outward(*point));
         Ok(MedialGraph { sites: given.clone(), ..graph })
     }
@@ -169,7 +175,9 @@ impl MedialGraph {
     pub fn complex(&self, job: &Job) -> Result<Complex> {
         job.run(&[(Stage::Extract, 1.0)], |run| {
             run.enter(Stage::Extract)?;
-            let (mut edges, mut arc_of) = (Vec::new(), Vec::new());
+            let mut room = Room::new(run);
+            let count = self.arcs.iter().map(|arc| arc.len() - 1).sum();
+            let (mut edges, mut arc_of) = (room.vec(count)?, room.vec(count)?);
             for (number, arc) in (0..).zip(&self.arcs) {
                 run.poll()?;
                 edges.extend(arc.windows(2).map(|ends| [ends[0], ends[1]]));
@@ -177,12 +185,12 @@ impl MedialGraph {
             }
             let mut attributes = self.sites.attributes_of(Element::Vertex, &self.points, run)?;
             let is_node = (0..self.points.len()).map(|i| u32::from(i < self.node_count));
-            let is_node = Values::U32(is_node.collect());
+            let is_node = Values::U32(room.collect(is_node)?);
             attributes.push(Attribute::new("is_node", Element::Vertex, 1, is_node)?);
             attributes.push(Attribute::new("arc", Element::Edge, 1, Values::U32(arc_of))?);
             let parts = ComplexParts {
                 dimension: 2,
-                vertices: self.points.iter().map(|point| point.center).collect(),
+                vertices: room.collect(self.points.iter().map(|point| point.center))?,
                 edges,
                 attributes,
                 ..ComplexParts::default()
@@ -207,27 +215,36 @@ impl GraphOptions {
         if !(0.0..=PI).contains(&self.angle) {
             return wrong(format!("an object angle of {} is not between 0 and pi", self.angle));
         }
+        let rim = self.rim(sites)?;
         let spacing = if self.spacing > 0.0 { self.spacing } else { 0.01 * sites.size() };
+        if rim.extent().into_iter().fold(0.0, f64::max) * FINEST > spacing {
+            let message = "the spacing is less than 2^-20 of the box";
+            return Err(Error::new(Status::LimitExceeded, message));
+        }
+        Ok((spacing, rim))
+    }
+
+    /// The box of what is looked at.
+    fn rim(&self, sites: &Sites) -> Result<Bounds> {
+        let wrong = |message: &str| Err(Error::new(Status::InvalidArgument, message));
         if let Some([min, max]) = self.clip {
             let is_box = (0..2).all(|k| min[k] < max[k]);
             if !is_box || !min.iter().chain(&max).all(|x| x.abs() <= COORDINATE_MAX) {
-                return wrong("the corners of the box to clip to are no box".into());
+                return wrong("the corners of the box to clip to are no box");
             }
-            return Ok((spacing, Bounds { min, max }));
+            return Ok(Bounds { min, max });
         }
         let Some(Bounds { min, max }) = sites.bounds() else {
-            return wrong("without a box to clip to, what is unbounded has no end".into());
+            return wrong("without a box to clip to, what is unbounded has no end");
         };
         // All of the inside is in the box of the boundary; rounding must not put it out.
         let share = if self.side == Side::Inner { 1e-6 } else { 0.5 };
         let margin = share * sites.size();
-        let rim = Bounds { min: min.map(|x| x - margin), max: max.map(|x| x + margin) };
-        Ok((spacing, rim))
+        Ok(Bounds { min: min.map(|x| x - margin), max: max.map(|x| x + margin) })
     }
 }
 
 /// A part of an arc that passes the thresholds: the nodes at its ends, if it comes to them, and what lies between.
-#[derive(Clone)]
 struct Line {
     ends: [Option<u32>; 2],
     points: Vec<MedialPoint>,
@@ -271,11 +288,12 @@ impl Maker<'_> {
     }
 
     /// The parts of an arc that pass the thresholds.
-    fn lines(&self, side: &ArcSide) -> Result<Vec<Line>> {
+    fn lines(&self, side: &ArcSide, room: &mut Room<'_>) -> Result<Vec<Line>> {
         let walk = self.envelope.walk_of(side);
         let at =
             |position: Position| Some((position, self.envelope.touch_of(walk, position)?.point));
         let [begin, end] = side.span;
+        let mut own = Room::new(self.envelope.run);
         let mut places: Vec<(Position, MedialPoint)> = Vec::new();
         // Ends of features are where an arc bends, and what comes back to where it began is seen from between; the nodes themselves are added later.
         let bends = (begin.floor() as i64 + 1..end.ceil() as i64).map(|i| i as f64);
@@ -285,9 +303,9 @@ impl Maker<'_> {
         stops.dedup();
         for stop in stops.into_iter().filter_map(at) {
             if let Some(&last) = places.last() {
-                self.divide(walk, last, stop, 0, &mut places)?;
+                self.divide(walk, [last, stop], 0, &mut places, &mut own)?;
             }
-            places.push(stop);
+            own.push(&mut places, stop)?;
         }
         let mut lines: Vec<Line> = Vec::new();
         let mut last: Option<(Position, MedialPoint, bool)> = None;
@@ -302,7 +320,7 @@ impl Maker<'_> {
                 }
                 (Some((_, _, true)), true) => {
                     if let Some(line) = lines.last_mut() {
-                        line.points.push(point);
+                        room.push(&mut line.points, point)?;
                     }
                 }
                 (Some((from, _, false)), true) => {
@@ -313,7 +331,7 @@ impl Maker<'_> {
                 (Some((from, _, true)), false) => {
                     let last = crossing(from, position);
                     if let (Some(line), Some(last)) = (lines.last_mut(), last) {
-                        line.points.push(last);
+                        room.push(&mut line.points, last)?;
                     }
                 }
                 (_, false) => {}
@@ -347,10 +365,10 @@ impl Maker<'_> {
     fn divide(
         &self,
         walk: usize,
-        from: (Position, MedialPoint),
-        to: (Position, MedialPoint),
+        [from, to]: [(Position, MedialPoint); 2],
         depth: usize,
         places: &mut Vec<(Position, MedialPoint)>,
+        room: &mut Room<'_>,
     ) -> Result<()> {
         self.envelope.run.poll()?;
         let chord = sub(to.1.center, from.1.center);
@@ -366,9 +384,9 @@ impl Maker<'_> {
             return Ok(());
         }
         let middle = (position, touch.point);
-        self.divide(walk, from, middle, depth + 1, places)?;
-        places.push(middle);
-        self.divide(walk, middle, to, depth + 1, places)
+        self.divide(walk, [from, middle], depth + 1, places, room)?;
+        room.push(places, middle)?;
+        self.divide(walk, [middle, to], depth + 1, places, room)
     }
 
     /// Numbers the nodes that are still of use, and joins the lines to them.
@@ -424,7 +442,7 @@ impl Maker<'_> {
                 _ => &line.points[..],
             };
             for &point in inner {
-                arc.push(points.len() as u32);
+                room.push(&mut arc, points.len() as u32)?;
                 room.push(&mut points, point)?;
             }
             match node(line.ends[1]) {
