@@ -17,7 +17,7 @@
  * **Names.** `medax_<noun>_<verb>`. The verbs: `create` makes a handle of the caller's data,
  * `read` of a file, `build` by computing; `init` sets options to their defaults; `clone` and
  * `free` count references; `write` makes a file; `validate` checks. What is named by a noun alone
- * is an accessor: it computes nothing and cannot fail.
+ * and takes no job is an accessor: it computes nothing and cannot fail.
  *
  * **Arguments.** The subject, the inputs, the options, the job, the outputs. An argument may be
  * NULL only where its text says so. NULL options are the defaults, a NULL job is a fresh one.
@@ -3808,9 +3808,9 @@ MEDAX_API medax_status medax_core_options_init(medax_core_options *options, size
  * are a part; or the two samples of the facet through which they follow an orbit, then `MEDAX_NONE`).
  *
  * \param flow The flow.
- * \param options NULL for the defaults.
  * \param facets `facet_count` rows of #medax_dual_facets, as #medax_medial_selected has them; NULL only if `facet_count` is 0.
  * \param facet_count The number of facets by which the core is to be extended.
+ * \param options NULL for the defaults.
  * \param job NULL for a default job.
  * \param out_report Filled, its `struct_size` being set; or NULL.
  * \param out_core Receives the complex, which the caller frees with #medax_complex_free.
@@ -3821,9 +3821,9 @@ MEDAX_API medax_status medax_core_options_init(medax_core_options *options, size
  */
 MEDAX_API
 medax_status medax_flow_core(const medax_flow *flow,
-                             const medax_core_options *options,
                              const uint32_t *facets,
                              size_t facet_count,
+                             const medax_core_options *options,
                              const medax_job *job,
                              medax_core_report *out_report,
                              const medax_complex **out_core);

@@ -339,8 +339,12 @@ void FilterMedaxPlugin::thickness(MeshDocument &document, const RichParameterLis
     const medax::Sizes sizes = medax_meshlab::sizes(input, options, steps);
     const bool is_thickness = parameters.getEnum("size") == 0;
     const auto &values = is_thickness ? sizes.thickness : sizes.feature_size;
-    set_quality(*document.mm(), values, parameters.getBool("colour"));
     const auto extremes = std::minmax_element(values.begin(), values.end());
+    if (extremes.second == values.end() || !(*extremes.second > 0))
+        throw std::runtime_error(options.faces
+                                     ? "Every value is 0: the faces must close the solid and point out of it."
+                                     : "Every value is 0: the points are too sparse.");
+    set_quality(*document.mm(), values, parameters.getBool("colour"));
     Log("%s of %i vertices: from %f to %f", is_thickness ? "Thickness" : "Local feature size",
         static_cast<int>(values.size()), *extremes.first, *extremes.second);
 }

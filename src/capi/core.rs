@@ -97,9 +97,9 @@ impl From<&Core> for medax_core_report {
 /// are a part; or the two samples of the facet through which they follow an orbit, then `MEDAX_NONE`).
 ///
 /// \param flow The flow.
-/// \param options NULL for the defaults.
 /// \param facets `facet_count` rows of #medax_dual_facets, as #medax_medial_selected has them; NULL only if `facet_count` is 0.
 /// \param facet_count The number of facets by which the core is to be extended.
+/// \param options NULL for the defaults.
 /// \param job NULL for a default job.
 /// \param out_report Filled, its `struct_size` being set; or NULL.
 /// \param out_core Receives the complex, which the caller frees with #medax_complex_free.
@@ -110,9 +110,9 @@ impl From<&Core> for medax_core_report {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn medax_flow_core(
     flow: *const medax_flow,
-    options: *const medax_core_options,
     facets: *const u32,
     facet_count: usize,
+    options: *const medax_core_options,
     job: *const medax_job,
     out_report: *mut medax_core_report,
     out_core: *mut *const medax_complex,

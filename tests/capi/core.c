@@ -28,26 +28,26 @@ static void refusals(const torus *made, const medax_flow *flow) {
     report.taken = 77;
     CHECK_STATUS(OK, medax_job_create(NULL, &spent));
     medax_job_cancel(spent);
-    CHECK_STATUS(NULL_ARGUMENT, medax_flow_core(NULL, NULL, NULL, 0, NULL, &report, &core));
-    CHECK_STATUS(NULL_ARGUMENT, medax_flow_core(flow, NULL, NULL, 1, NULL, &report, &core));
-    CHECK_STATUS(NULL_ARGUMENT, medax_flow_core(flow, NULL, NULL, 0, NULL, &report, NULL));
-    CHECK_STATUS(CANCELLED, medax_flow_core(flow, NULL, NULL, 0, spent, &report, &core));
+    CHECK_STATUS(NULL_ARGUMENT, medax_flow_core(NULL, NULL, 0, NULL, NULL, &report, &core));
+    CHECK_STATUS(NULL_ARGUMENT, medax_flow_core(flow, NULL, 1, NULL, NULL, &report, &core));
+    CHECK_STATUS(NULL_ARGUMENT, medax_flow_core(flow, NULL, 0, NULL, NULL, &report, NULL));
+    CHECK_STATUS(CANCELLED, medax_flow_core(flow, NULL, 0, NULL, spent, &report, &core));
     CHECK_STATUS(INVALID_ARGUMENT,
-                 medax_flow_core(flow, NULL, facets, SIZE_MAX, NULL, &report, &core));
-    CHECK_STATUS(INVALID_ARGUMENT, medax_flow_core(flow, NULL, facets, 3, NULL, &report, &core));
+                 medax_flow_core(flow, facets, SIZE_MAX, NULL, NULL, &report, &core));
+    CHECK_STATUS(INVALID_ARGUMENT, medax_flow_core(flow, facets, 3, NULL, NULL, &report, &core));
     CHECK(medax_last_error_kind() == MEDAX_ERROR_KIND_FACE
           && medax_last_error_index() == facets[2]);
     options.side = 3;
-    CHECK_STATUS(INVALID_ARGUMENT, medax_flow_core(flow, &options, NULL, 0, NULL, &report, &core));
+    CHECK_STATUS(INVALID_ARGUMENT, medax_flow_core(flow, NULL, 0, &options, NULL, &report, &core));
     options = defaults();
     options.repair = 2;
-    CHECK_STATUS(INVALID_ARGUMENT, medax_flow_core(flow, &options, NULL, 0, NULL, &report, &core));
+    CHECK_STATUS(INVALID_ARGUMENT, medax_flow_core(flow, NULL, 0, &options, NULL, &report, &core));
     options = defaults();
     options.struct_size = 3;
-    CHECK_STATUS(INVALID_ARGUMENT, medax_flow_core(flow, &options, NULL, 0, NULL, &report, &core));
+    CHECK_STATUS(INVALID_ARGUMENT, medax_flow_core(flow, NULL, 0, &options, NULL, &report, &core));
     CHECK(report.taken == 77 && report.struct_size == sizeof report);
     report.struct_size = 8;
-    CHECK_STATUS(INVALID_ARGUMENT, medax_flow_core(flow, NULL, NULL, 0, NULL, &report, &core));
+    CHECK_STATUS(INVALID_ARGUMENT, medax_flow_core(flow, NULL, 0, NULL, NULL, &report, &core));
     CHECK(core == NO_COMPLEX);
     medax_job_free(spent);
 }
@@ -64,7 +64,7 @@ static const medax_complex *core_of(const medax_flow *flow, const medax_core_opt
                                     medax_core_report *report) {
     const medax_complex *core = NULL;
     report->struct_size = sizeof *report;
-    CHECK_STATUS(OK, medax_flow_core(flow, options, facets, count, NULL, report, &core));
+    CHECK_STATUS(OK, medax_flow_core(flow, facets, count, options, NULL, report, &core));
     NEED(core != NULL);
     return core;
 }
@@ -110,7 +110,7 @@ static void a_curve(const torus *made, const medax_flow *flow) {
     plain = core_of(flow, &options, NULL, 0, &report);
     CHECK(topology_of(plain).betti[0] == 1 && topology_of(plain).betti[1] == 1);
     /* The report need not be wanted. */
-    CHECK_STATUS(OK, medax_flow_core(flow, &options, NULL, 0, NULL, NULL, &again));
+    CHECK_STATUS(OK, medax_flow_core(flow, NULL, 0, &options, NULL, NULL, &again));
     CHECK(medax_complex_vertices(again).rows == medax_complex_vertices(plain).rows);
     medax_complex_free(again);
     medax_complex_free(plain);

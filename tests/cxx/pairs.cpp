@@ -18,7 +18,7 @@ static medax::Pair block() {
 
 void pairs() {
     const medax::Pair pair = block();
-    CHECK(pair.validate().problems == 0 && pair.removed().rows() == 1);
+    CHECK(pair.validate().is_valid() && pair.removed().rows() == 1);
     CHECK(pair.element_count(MEDAX_PAIR_ELEMENT_VERTEX_FACE) == 48);
     CHECK(pair.element_count() == pair.rings().rows());
     CHECK(std::fabs(pair.enclosed_volume() - 2 * 2.2 * 2.4) < 1e-12);
@@ -33,7 +33,7 @@ void pairs() {
     for (std::uint32_t shell : pair.shells()) CHECK(shell == 0);
 
     const medax::Pair spine = pair.onto(medax::Complex::from({}));
-    CHECK(spine.validate().problems == 0);
+    CHECK(spine.validate().is_valid());
     CHECK(spine.inner_vertices().rows() <= pair.inner_vertices().rows());
     CHECK(spine.missing() == 0);
     CHECK(THROWN(spine.onto(spine.inner())).status() == MEDAX_STATUS_INVALID_ARGUMENT);

@@ -333,6 +333,10 @@ fn vertices_with_a_radius_are_balls() {
     let balls = Balls::of_complex(&complex, &Job::default()).unwrap();
     assert_eq!((balls.centers(), balls.radii()), (complex.vertices(), &[0.5, 0.25][..]));
     let bare = Complex::new(parts(vec![])).unwrap();
+    let whole = Attribute::new("radius", Element::Vertex, 1, Values::U32(vec![1, 2])).unwrap();
+    let of_whole = Complex::new(parts(vec![whole])).unwrap();
+    let of_whole = Balls::of_complex(&of_whole, &Job::default()).unwrap();
+    assert_eq!(of_whole.radii(), [1.0, 2.0]);
     assert_eq!(Balls::of_complex(&bare, &Job::default()).unwrap_err().status(), Status::Mismatch);
 }
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import dataclasses
 import hashlib
+from collections.abc import Iterator
 from typing import Any
 
 import bmesh
@@ -125,7 +126,8 @@ def write(context: Any, source: Source, parts: list[Any], hide: bool, material: 
         meshes.append(made)
     for each in context.selected_objects:
         each.select_set(False)
-    collection = next(iter(original.users_collection), context.scene.collection)
+    shown = set(collections(context.view_layer.layer_collection))
+    collection = next((each for each in original.users_collection if each in shown), context.scene.collection)
     objects = []
     for part, mesh in zip(parts, meshes):
         made = bpy.data.objects.new(mesh.name, mesh)
@@ -142,6 +144,14 @@ def write(context: Any, source: Source, parts: list[Any], hide: bool, material: 
     if hide:
         original.hide_set(True)
     return objects
+
+
+def collections(layer: Any) -> Iterator[Any]:
+    """The collections of a view layer that it does not leave out."""
+    if not layer.exclude:
+        yield layer.collection
+    for child in layer.children:
+        yield from collections(child)
 
 
 def skinned(thing: Any, part: Drawn) -> None:

@@ -337,3 +337,18 @@ def test_the_core_is_an_inner_one():
     source = torus()
     assert bpy.ops.medax.core(extend=True) == {"FINISHED"}
     assert np.abs(vertices(bpy.context.active_object)).max() <= np.abs(vertices(source)).max()
+
+
+def test_results_lie_in_a_collection_that_the_view_layer_shows():
+    source = torus()
+    shown, excluded = (bpy.data.collections.new(name) for name in ("Shown", "Excluded"))
+    for collection in (excluded, shown):
+        bpy.context.scene.collection.children.link(collection)
+        collection.objects.link(source)
+    bpy.context.scene.collection.objects.unlink(source)
+    layers = bpy.context.view_layer.layer_collection.children
+    layers["Excluded"].exclude = True
+    bpy.context.view_layer.objects.active = source
+    assert bpy.ops.medax.power_crust() == {"FINISHED"}
+    made = bpy.context.active_object
+    assert [each.name for each in made.users_collection] == ["Shown"] and made.select_get()

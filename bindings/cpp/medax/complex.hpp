@@ -14,7 +14,7 @@ namespace medax {
 
 using ComplexParts = detail::Options<medax_complex_parts, medax_complex_parts_init>;
 
-/// Values with a name on one kind of element; one of the two views has no row.
+/// Values with a name on one kind of element; one of the two views has no row. The name lives as long as the views do.
 struct Attribute {
     const char *name;
     medax_element element;

@@ -136,7 +136,7 @@ public:
         medax_core_report report;
         report.struct_size = sizeof report;
         const medax_complex *core = nullptr;
-        job.check(medax_flow_core(get(), &options, facets.data(), facets.size(), job.get(),
+        job.check(medax_flow_core(get(), facets.data(), facets.size(), &options, job.get(),
                                   &report, &core));
         return {Complex(core), report};
     }

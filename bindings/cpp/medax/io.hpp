@@ -21,6 +21,7 @@ public:
 
     std::size_t count() const noexcept { return medax_warnings_count(get()); }
     bool empty() const noexcept { return count() == 0; }
+    /// Lives as long as any object that shares the handle.
     const char *operator[](std::size_t index) const noexcept {
         return medax_warnings_text(get(), index);
     }

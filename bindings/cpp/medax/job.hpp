@@ -11,6 +11,8 @@
 #include <exception>
 #include <functional>
 #include <memory>
+#include <mutex>
+#include <thread>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -35,7 +37,7 @@ struct JobOptions {
 class Job : public detail::Handle<medax_job, medax_job_clone, medax_job_free> {
 public:
     explicit Job(const JobOptions &options = {})
-        : Job(std::make_shared<Callback>(Callback{options.progress, nullptr}), options) {}
+        : Job(std::make_shared<Callback>(options.progress), options) {}
 
     /// With a progress function alone: `Job::watched([&](double progress, const char *stage) { ... })`. It returns what is asked
     /// for, or nothing, and then only watches.
@@ -78,17 +80,35 @@ public:
     /// Throws what a build with this job failed with, if it failed.
     void check(medax_status status) const {
         if (status == MEDAX_STATUS_OK) return;
-        if (callback_ && callback_->thrown)
-            std::rethrow_exception(std::exchange(callback_->thrown, nullptr));
+        if (const std::exception_ptr thrown = callback_ ? callback_->take() : nullptr)
+            std::rethrow_exception(thrown);
         throw Error(status);
     }
 
 private:
     /// What the payload points at: it lives as long as a job that has it.
     struct Callback {
-        std::function<Next(double, const char *)> function;
-        /// Written and read only on the thread that builds.
+        explicit Callback(std::function<Next(double, const char *)> called)
+            : function(std::move(called)) {}
+
+        void keep(std::exception_ptr exception) {
+            const std::lock_guard<std::mutex> lock(mutex);
+            thrown = std::move(exception);
+            thrower = std::this_thread::get_id();
+        }
+        /// What was thrown on this thread. Others learn that the job is busy, or cancelled.
+        std::exception_ptr take() {
+            const std::lock_guard<std::mutex> lock(mutex);
+            if (thrower != std::this_thread::get_id()) return nullptr;
+            return std::exchange(thrown, nullptr);
+        }
+
+        const std::function<Next(double, const char *)> function;
+
+    private:
+        std::mutex mutex;
         std::exception_ptr thrown;
+        std::thread::id thrower;
     };
 
     explicit Job(std::nullptr_t) noexcept : Handle(nullptr) {}
@@ -114,7 +134,7 @@ private:
         try {
             return callback->function(progress, stage) == Next::go_on ? 0 : 1;
         } catch (...) {
-            callback->thrown = std::current_exception();
+            callback->keep(std::current_exception());
             return 1;
         }
     }

@@ -146,11 +146,8 @@ public:
         return moved(medax_pair_with_boundary, places, job);
     }
 
-    medax_validation validate(const Job &job = Job::fresh()) const {
-        medax_validation report{};
-        report.struct_size = sizeof report;
-        job.check(medax_pair_validate(get(), job.get(), &report));
-        return report;
+    Validation validate(const Job &job = Job::fresh()) const {
+        return detail::validated(medax_pair_validate, get(), job);
     }
 
 private:

@@ -192,6 +192,12 @@ void check_thickness(Host &host) {
         require(far.cQ() == -7, "a deleted vertex has got a quality");
     }
     require(document.meshList.size() == 1, "thickness made a layer");
+    vcg::tri::Clean<CMeshO>::FlipMesh(cm);
+    auto parameters = host.parameters(thickness, document);
+    parameters.setValue("faces", BoolValue(true));
+    require(!host.run(thickness, document, parameters), "faces that point inward are no error");
+    require(host.filter(thickness).errorMsg().contains("point out of it"), "the error does not say why");
+    require(cm.vert[0].cQ() > 1, "an error has changed the quality");
 }
 
 void check_errors(Host &host) {

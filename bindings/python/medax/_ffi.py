@@ -973,7 +973,7 @@ FUNCTIONS = {
     "medax_flow_clone": (P(medax_flow), (P(medax_flow),)),
     "medax_flow_free": (None, (P(medax_flow),)),
     "medax_core_options_init": (i32, (P(medax_core_options), usize)),
-    "medax_flow_core": (i32, (P(medax_flow), P(medax_core_options), address, usize, P(medax_job), P(medax_core_report), P(P(medax_complex)))),
+    "medax_flow_core": (i32, (P(medax_flow), address, usize, P(medax_core_options), P(medax_job), P(medax_core_report), P(P(medax_complex)))),
     "medax_flow_complex_build": (i32, (P(medax_flow), P(medax_job), P(P(medax_flow_complex)))),
     "medax_flow_complex_flow": (i32, (P(medax_flow_complex), P(P(medax_flow)))),
     "medax_flow_complex_vertex_count": (usize, (P(medax_flow_complex),)),

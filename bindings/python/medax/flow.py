@@ -188,9 +188,9 @@ class Flow(Validated, stem="flow"):
             how,
             lib.medax_flow_core,
             self._ref,
-            ctypes.byref(given),
             pointer(extending),
             len(extending),
+            ctypes.byref(given),
             after=(ctypes.byref(report),),
         )
         return Core(complex_, told(CoreReport, report))

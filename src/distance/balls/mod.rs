@@ -69,20 +69,24 @@ impl Balls {
 
     /// Balls round the vertices of a complex, which carry `radius`: of a medial axis, whatever it came from. Faces and edges count for nothing.
     ///
-    /// Errors: [`Status::Mismatch`] where vertices carry no `radius`; those of [`Balls::new`], with the vertex for a row.
+    /// Errors: [`Status::Mismatch`] where vertices carry no `radius`, one number each; those of [`Balls::new`], with the vertex for a row.
     pub fn of_complex(complex: &Complex, job: &Job) -> Result<Self> {
         job.run(&[(Stage::Order, 1.0)], |run| {
+            let mut room = Room::new(run);
             let radius = complex.attribute(Element::Vertex, "radius");
             let radii = match radius.map(|radius| (radius.width(), radius.values())) {
-                Some((1, Values::F64(radii))) => radii,
+                Some((1, Values::F64(radii))) => room.collect(radii.iter().copied())?,
+                // Files hold whole numbers as such.
+                Some((1, Values::U32(radii))) => {
+                    room.collect(radii.iter().copied().map(f64::from))?
+                }
                 _ => {
                     let message = "the vertices carry no radius, so they are no balls";
                     return Err(Error::new(Status::Mismatch, message));
                 }
             };
-            let mut room = Room::new(run);
             let centers = room.collect(complex.vertices().iter().copied())?;
-            Balls::new_in(centers, room.collect(radii.iter().copied())?, run)
+            Balls::new_in(centers, radii, run)
         })
     }
 
