@@ -7124,7 +7124,8 @@ medax_status medax_medial_graph_options_init(medax_medial_graph_options *options
  * \param job NULL for a default job.
  * \param out_graph Receives the graph, which the caller frees with #medax_medial_graph_free.
  * \return `MEDAX_STATUS_OK`; `INVALID_ARGUMENT` for sites in space and options out of range; `UNSUPPORTED` with its row for a line or a
- *         ray; `NULL_ARGUMENT`, `LIMIT_EXCEEDED`, `CANCELLED`, `BUSY`, `OUT_OF_MEMORY`.
+ *         ray; `LIMIT_EXCEEDED` for a spacing of less than 2^-20 of the box; `NULL_ARGUMENT`, `CANCELLED`, `BUSY`,
+ *         `OUT_OF_MEMORY`.
  *
  * O((n + size) log n). Since 0.1.
  */
